@@ -1,0 +1,20 @@
+# add_module(NAME [USES module...] [PACKAGES target...] [PRIVATE_PACKAGES target...])
+# Makes the library of the folder common/NAME from all its .cpp files. USES names the modules that
+# its includes may name (docs/architecture.md, "Who may include whom"); it can link nothing else.
+function(add_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES;PRIVATE_PACKAGES")
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(TRANSFORM arg_USES PREPEND raysteps::)
+  if(sources)
+    add_library(raysteps_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(raysteps_${name} PRIVATE ${arg_PRIVATE_PACKAGES})
+  else()
+    add_library(raysteps_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(raysteps::${name} ALIAS raysteps_${name})
+  target_include_directories(raysteps_${name} ${scope}
+    ${PROJECT_SOURCE_DIR}/common ${PROJECT_SOURCE_DIR}/shaders)
+  target_link_libraries(raysteps_${name} ${scope} ${arg_USES} ${arg_PACKAGES})
+endfunction()

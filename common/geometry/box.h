@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <limits>
+
+namespace raysteps {
+
+// An axis-aligned box, closed on every side. The default is the empty box: merging it changes nothing.
+struct Box {
+    glm::vec3 lower{+std::numeric_limits<float>::infinity()};
+    glm::vec3 upper{-std::numeric_limits<float>::infinity()};
+};
+
+inline bool is_empty(const Box& box) {
+    return box.lower.x > box.upper.x || box.lower.y > box.upper.y || box.lower.z > box.upper.z;
+}
+
+inline Box merge(const Box& box, const glm::vec3& point) {
+    return {glm::min(box.lower, point), glm::max(box.upper, point)};
+}
+
+inline Box merge(const Box& a, const Box& b) {
+    return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
+}
+
+} // namespace raysteps

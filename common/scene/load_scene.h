@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+
+namespace raysteps {
+
+// Loads what --scene names: a sample scene (`cornell_box`, `sphereflake:3`), `bunny`, or the path of
+// an .obj or .toml file. The aspect ratio (width / height) lets the camera frame a bare model.
+// Throws InputError with file and line where it cannot be used.
+Scene load_scene(const std::string& name, float aspect_ratio);
+
+// The scene as the text of a TOML scene file that load_scene reads back to the same scene.
+// A sample scene is named by its name.
+std::string to_toml(const Scene& scene);
+
+// A line for each name that load_scene knows besides files.
+std::string list_scenes();
+
+} // namespace raysteps
