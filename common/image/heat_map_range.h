@@ -26,9 +26,9 @@ HeatMapRange auto_range(std::span<const float> values, HeatMapScale scale = Heat
 void check_range(const HeatMapRange& range);
 
 // Where a value lies in the range, from 0 to 1; outside it, 0 or 1; NaN stays NaN.
-float fraction(float value, const HeatMapRange& range);
+float fraction_of_range(float value, const HeatMapRange& range);
 
 // The value at the middle of the colors: the mean of the ends, or their geometric mean.
-double middle(const HeatMapRange& range);
+double middle_of_range(const HeatMapRange& range);
 
 } // namespace raysteps
