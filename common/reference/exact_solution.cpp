@@ -1,0 +1,124 @@
+#include "reference/exact_solution.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace raysteps {
+
+namespace {
+
+using Integer3 = std::array<Integer, 3>;
+
+// Every finite float is a whole multiple of 2^-149, the smallest one, so in this unit the whole
+// problem is one of integers, and rationals appear only where t, u and v are divided.
+constexpr int unit_exponent = -149;
+
+Integer in_units(float value) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent); // value = mantissa * 2^exponent
+    const auto digits = static_cast<std::int64_t>(std::ldexp(mantissa, 24));
+    const int shift = exponent - 24 - unit_exponent;
+    Integer units = digits;
+    // A subnormal float has fewer than 24 digits: what is shifted out is zero.
+    return shift >= 0 ? Integer(units << shift) : Integer(units / (Integer(1) << -shift));
+}
+
+Integer3 in_units(const glm::vec3& point) {
+    return {in_units(point.x), in_units(point.y), in_units(point.z)};
+}
+
+Integer3 difference(const Integer3& a, const Integer3& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Integer3 cross(const Integer3& a, const Integer3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Integer dot(const Integer3& a, const Integer3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Fraction with_positive_denominator(const Integer& numerator, const Integer& denominator) {
+    if (denominator < 0) {
+        return {-numerator, -denominator};
+    }
+    return {numerator, denominator};
+}
+
+// Rays may begin or end at infinity.
+bool lies_within(const Fraction& t, float t_min, float t_max) {
+    const Integer scaled_t = t.numerator << -unit_exponent;
+    const bool begun =
+        std::isinf(t_min) ? t_min < 0.0f : in_units(t_min) * t.denominator <= scaled_t;
+    const bool ended =
+        std::isinf(t_max) ? t_max < 0.0f : in_units(t_max) * t.denominator < scaled_t;
+    return begun && !ended;
+}
+
+} // namespace
+
+bool is_less(const Fraction& a, const Fraction& b) {
+    return a.numerator * b.denominator < b.numerator * a.denominator;
+}
+
+double nearest_double(const Fraction& fraction) {
+    if (fraction.numerator == 0) {
+        return 0.0;
+    }
+    Integer numerator = abs(fraction.numerator);
+    Integer denominator = fraction.denominator;
+    // Scale so that the quotient has 62 or 63 bits: more than the 53 of a double.
+    const int shift = 62 + static_cast<int>(msb(denominator)) - static_cast<int>(msb(numerator));
+    if (shift >= 0) {
+        numerator <<= shift;
+    } else {
+        denominator <<= -shift;
+    }
+    Integer quotient;
+    Integer remainder;
+    divide_qr(numerator, denominator, quotient, remainder);
+    auto bits = static_cast<std::uint64_t>(quotient);
+    if (remainder != 0) {
+        bits |= 1u; // keeps a quotient just beside the middle of two doubles off the middle
+    }
+    const double magnitude = std::ldexp(static_cast<double>(bits), -shift);
+    return fraction.numerator < 0 ? -magnitude : magnitude;
+}
+
+bool is_usable(const Ray& ray) {
+    const auto is_finite = [](const glm::vec3& point) {
+        return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+    };
+    return is_finite(ray.origin) && is_finite(ray.direction) && !std::isnan(ray.t_min) &&
+           !std::isnan(ray.t_max);
+}
+
+// The volumes that the direction spans with two corners each, seen from the origin, are in the
+// ratio of the barycentric weights (Plücker; as in Shoemake, "Plücker coordinate tutorial", 1998).
+ExactSolution solve_exactly(const Ray& ray, const std::array<glm::vec3, 3>& corners) {
+    const Integer3 origin = in_units(ray.origin);
+    const Integer3 direction = in_units(ray.direction);
+    const Integer3 a = difference(in_units(corners[0]), origin);
+    const Integer3 b = difference(in_units(corners[1]), origin);
+    const Integer3 c = difference(in_units(corners[2]), origin);
+    const Integer3 normal = cross(difference(b, a), difference(c, a));
+    const Integer determinant = dot(normal, direction);
+    if (determinant == 0) {
+        return {};
+    }
+    ExactSolution solution;
+    solution.unique = true;
+    solution.t = with_positive_denominator(dot(normal, a), determinant);
+    solution.u = with_positive_denominator(dot(direction, cross(c, a)), determinant);
+    solution.v = with_positive_denominator(dot(direction, cross(a, b)), determinant);
+    solution.w = with_positive_denominator(dot(direction, cross(b, c)), determinant);
+    return solution;
+}
+
+bool is_hit(const ExactSolution& solution, const Ray& ray) {
+    return solution.unique && solution.u.numerator >= 0 && solution.v.numerator >= 0 &&
+           solution.w.numerator >= 0 && lies_within(solution.t, ray.t_min, ray.t_max);
+}
+
+} // namespace raysteps
