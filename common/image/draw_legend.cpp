@@ -15,6 +15,7 @@ constexpr int margin = 8; // pixels, on every side of the bar
 constexpr int bar_height = 16;
 constexpr int tick_height = 6;
 constexpr int tick_width = 2;
+constexpr int line_gap = 4;   // pixels under the ticks, and under the labels
 constexpr int label_gap = 16; // pixels between two labels, at least
 
 // The middle label stands at the center, so each side must have room for the wider of the outer
@@ -62,7 +63,8 @@ Image draw_legend(const HeatMapRange& range, const std::string& title, const std
     const std::string whole_title = logarithmic ? title + " (logarithmic)" : title;
 
     const Image bar = stack(draw_bar(bar_width), draw_ticks(bar_width));
-    const Image scale = stack(bar, draw_labels(labels, bar_width));
+    const Image gap = blank(bar_width, line_gap, paper_color);
+    const Image scale = stack(stack(bar, gap), stack(draw_labels(labels, bar_width), gap));
     const Image text =
         stack(draw_paragraph(whole_title, bar_width), draw_paragraph(note, bar_width));
     const Image space = blank(bar_width + 2 * margin, margin, paper_color);

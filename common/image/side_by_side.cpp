@@ -12,9 +12,9 @@ namespace raysteps {
 
 namespace {
 
-constexpr int gap = 4;          // pixels
-constexpr int caption_gap = 8;  // pixels above and below a caption
-constexpr int least_width = 96; // of a panel: a caption's words stay readable under a thumbnail
+constexpr int gap = 4;           // pixels
+constexpr int caption_gap = 8;   // pixels on every side of a caption
+constexpr int least_width = 112; // of a panel: its caption has room for words under a thumbnail
 
 int panel_width(const Image& image) {
     return std::max(image.width, least_width);
@@ -46,7 +46,7 @@ void check_panels(std::span<const Image> images, std::span<const std::string> ca
 Image draw_panel(const Image& image, const std::string& caption) {
     const int width = panel_width(image);
     const Image space = blank(width, caption_gap, paper_color);
-    const Image text = draw_paragraph(caption, width);
+    const Image text = draw_paragraph(caption, width - 2 * caption_gap);
     return stack(stack(image, space), stack(text, space));
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <rapidcheck.h>
+
+// A picture of up to 8 x 8 pixels whose components are drawn from the generator.
+inline raysteps::Image random_image(const rc::Gen<float>& component) {
+    raysteps::Image image(*rc::gen::inRange(1, 9), *rc::gen::inRange(1, 9));
+    for (glm::vec3& pixel : image.pixels) {
+        pixel = {*component, *component, *component};
+    }
+    return image;
+}
