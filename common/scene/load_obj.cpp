@@ -1,0 +1,179 @@
+#include "scene/load_obj.h"
+
+#include "error/error.h"
+#include "scene/mtl_clean.h"
+#include "scene/mtl_files.h"
+#include "scene/mtl_picture.h"
+#include "scene/obj_paths.h"
+#include "scene/obj_reading.h"
+#include "scene/obj_scene.h"
+#include "scene/read_text_file.h"
+
+#include <tiny_obj_loader.h>
+
+#include <istream>
+#include <map>
+#include <new>
+#include <span>
+#include <sstream>
+#include <streambuf>
+
+namespace raysteps {
+
+namespace {
+
+// Gives tinyobjloader one checked statement at a time, so that its callbacks know their line.
+class StatementBuffer : public std::streambuf {
+public:
+    explicit StatementBuffer(ObjReading& reading) : reading_(reading) {}
+
+protected:
+    int_type underflow() override {
+        statement_ = reading_.next_statement();
+        setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+        return statement_.empty() ? traits_type::eof() : traits_type::to_int_type(statement_[0]);
+    }
+
+private:
+    ObjReading& reading_;
+    std::string statement_;
+};
+
+ObjReading& reading_of(void* user_data) {
+    return *static_cast<ObjReading*>(user_data);
+}
+
+void take_face(void* user_data, tinyobj::index_t* corners, int corner_count) {
+    ObjReading& reading = reading_of(user_data);
+    reading.begin_face();
+    for (const tinyobj::index_t& corner :
+         std::span(corners, static_cast<std::size_t>(corner_count)))
+        reading.take_corner(corner.vertex_index, corner.texcoord_index, corner.normal_index);
+}
+
+tinyobj::callback_t callbacks() {
+    tinyobj::callback_t callback;
+    callback.vertex_cb = [](void* reading, float x, float y, float z, float) {
+        reading_of(reading).take_position(x, y, z);
+    };
+    callback.texcoord_cb = [](void* reading, float x, float y, float) {
+        reading_of(reading).take_texture_coordinate(x, y);
+    };
+    callback.normal_cb = [](void* reading, float x, float y, float z) {
+        reading_of(reading).take_normal(x, y, z);
+    };
+    callback.usemtl_cb = [](void* reading, const char* name, int) {
+        reading_of(reading).take_material(name);
+    };
+    callback.index_cb = take_face;
+    return callback;
+}
+
+ObjFile read_obj(std::string_view text, const std::filesystem::path& path) {
+    ObjReading reading(text, path);
+    StatementBuffer buffer(reading);
+    std::istream stream(&buffer);
+    stream.exceptions(std::ios::badbit); // else the stream keeps an InputError of ours to itself
+    tinyobj::LoadObjWithCallback(stream, callbacks(), &reading);
+    return reading.finish();
+}
+
+glm::vec3 to_color(const float (&color)[3]) {
+    return {color[0], color[1], color[2]};
+}
+
+Material to_material(const tinyobj::material_t& source) {
+    Material material;
+    material.name = source.name;
+    material.diffuse = to_color(source.diffuse);
+    material.specular = to_color(source.specular);
+    material.shininess = source.shininess;
+    material.emission = to_color(source.emission);
+    material.refractive_index = source.ior;
+    material.opacity = source.dissolve;
+    material.transmission = to_color(source.transmittance);
+    material.illumination_model = source.illum;
+    material.diffuse_map = source.diffuse_texname;
+    return material;
+}
+
+std::vector<Material> read_clean_mtl(const std::string& text) {
+    std::vector<tinyobj::material_t> sources;
+    std::map<std::string, int> index_of_name;
+    std::istringstream stream(text);
+    std::string warning;
+    std::string error;
+    if (!text.empty()) // tinyobjloader makes a material of nothing
+        tinyobj::LoadMtl(&index_of_name, &sources, &stream, &warning, &error);
+    std::vector<Material> materials;
+    for (const tinyobj::material_t& source : sources)
+        materials.push_back(to_material(source));
+    return materials;
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+Scene read_scene(std::string_view text, const std::filesystem::path& path) {
+    check_is_text(text, path);
+    const ObjFile file = read_obj(text, path);
+    std::vector<std::string> messages = file.findings.sentences(path);
+    const MtlFiles mtl_files = read_mtl_files(file);
+    append(messages, mtl_files.findings.sentences(path));
+
+    std::vector<Material> materials;
+    for (const MtlFile& mtl_file : mtl_files.files) {
+        const ParsedMtl parsed = parse_mtl(mtl_file.text, mtl_file.path, folder_of(path));
+        materials.insert(materials.end(), parsed.materials.begin(), parsed.materials.end());
+        append(messages, parsed.messages);
+    }
+    Scene scene = make_scene(file, std::move(materials));
+    append(messages, scene.messages);
+    scene.messages = std::move(messages);
+    return scene;
+}
+
+// Whatever the step throws leaves as a sentence that names the file.
+template <class Step>
+auto guarded(const std::filesystem::path& path, const Step& step) {
+    try {
+        return step();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw MachineError(path.string() + ": is too large for the memory of this machine. Close "
+                                           "other programs, or load a smaller model.");
+    } catch (const std::exception& failure) {
+        throw InputError(path.string() + ": cannot be loaded (" + failure.what() +
+                         "). Check the export.");
+    }
+}
+
+} // namespace
+
+Scene load_obj(const std::filesystem::path& path) {
+    return guarded(path, [&] { return read_scene(read_text_file(path, most_obj_bytes), path); });
+}
+
+Scene parse_obj(std::string_view text, const std::filesystem::path& path) {
+    return guarded(path, [&] { return read_scene(text, path); });
+}
+
+ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
+                    const std::filesystem::path& inside) {
+    return guarded(path, [&] {
+        check_is_text(text, path);
+        const CleanMtl clean = clean_mtl(text);
+        ParsedMtl parsed{read_clean_mtl(clean.text), clean.findings.sentences(path)};
+        for (Material& material : parsed.materials) {
+            const MtlPicture picture = find_picture(material.diffuse_map, path, inside);
+            material.diffuse_map = picture.path;
+            if (!picture.message.empty())
+                parsed.messages.push_back(picture.message);
+        }
+        return parsed;
+    });
+}
+
+} // namespace raysteps

@@ -1,0 +1,92 @@
+#include "scene/obj_checks.h"
+
+#include "error/error.h"
+#include "scene/obj_findings.h"
+#include "scene/obj_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raysteps {
+
+namespace {
+
+std::string joined(const std::vector<std::string_view>& words, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(count, words.size()); ++i)
+        text.append(words[i]).append(1, ' ');
+    text.back() = '\n';
+    return text;
+}
+
+std::string checked_coordinates(const std::vector<std::string_view>& words, std::size_t least,
+                                std::size_t most, const std::string& where) {
+    if (words.size() < 1 + least)
+        throw InputError(where + std::string(words[0]) + " has " +
+                         std::to_string(words.size() - 1) + " numbers, but needs " +
+                         std::to_string(least) + ". Check the export.");
+    for (std::size_t i = 1; i < std::min(1 + most, words.size()); ++i) {
+        const std::optional<double> number = to_number(words[i]);
+        if (!number)
+            throw InputError(where + in_quotes(words[i]) + " is not a number. Check the export.");
+        if (!(std::abs(*number) <= greatest_coordinate))
+            throw InputError(where + in_quotes(words[i]) +
+                             " is not a number between -1.8e18 and 1.8e18. Check the export.");
+    }
+    return joined(words, 1 + most);
+}
+
+bool is_direction(std::string_view word) {
+    const std::optional<double> number = to_number(word);
+    return number && std::abs(*number) <= std::numeric_limits<float>::max();
+}
+
+void check_index(std::string_view index, std::string_view corner, const std::string& where) {
+    constexpr std::int64_t greatest = std::numeric_limits<int>::max();
+    const std::int64_t number = to_whole_number(index).value_or(0);
+    if (number == 0 || number > greatest || number < -greatest)
+        throw InputError(where + "face has the corner " + in_quotes(corner) +
+                         ", but a corner is made of whole numbers from 1 to 2147483647, or of "
+                         "negative ones. Check the export.");
+}
+
+// An index of a texture coordinate or a normal may be left empty, as in 1//3 and 1/.
+void check_corner(std::string_view corner, const std::string& where) {
+    std::string_view rest = corner;
+    for (int part = 0; part < 3; ++part) {
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        if (part == 0 || end > 0)
+            check_index(rest.substr(0, end), corner, where);
+        if (end == rest.size())
+            return;
+        rest.remove_prefix(end + 1);
+    }
+    throw InputError(where + "face has the corner " + in_quotes(corner) +
+                     ", but a corner has at most three parts. Check the export.");
+}
+
+} // namespace
+
+std::string checked_vertex(const std::vector<std::string_view>& words, const std::string& where) {
+    return checked_coordinates(words, 3, 3, where);
+}
+
+std::string checked_texture_coordinate(const std::vector<std::string_view>& words,
+                                       const std::string& where) {
+    return checked_coordinates(words, 1, 2, where);
+}
+
+std::string checked_normal(const std::vector<std::string_view>& words) {
+    if (words.size() < 4 || !std::all_of(words.begin() + 1, words.begin() + 4, is_direction))
+        return "vn 0 0 0\n";
+    return joined(words, 4);
+}
+
+std::string checked_face(const std::vector<std::string_view>& words, const std::string& where) {
+    for (std::size_t i = 1; i < words.size(); ++i)
+        check_corner(words[i], where);
+    return joined(words, words.size());
+}
+
+} // namespace raysteps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raysteps {
+
+// Each takes the words of one OBJ statement, keyword first, and gives it back in a form that
+// tinyobjloader reads rightly, with a line end. `where` opens the sentence of an error.
+
+// Three coordinates; a weight or a colour behind them is left out. Throws InputError where one is
+// missing, no number, or greater than greatest_coordinate.
+std::string checked_vertex(const std::vector<std::string_view>& words, const std::string& where);
+
+// One or two coordinates; a third is left out. Throws InputError as for a vertex.
+std::string checked_texture_coordinate(const std::vector<std::string_view>& words,
+                                       const std::string& where);
+
+// Three components, all 0 where they give no direction: a picture can do without a normal.
+std::string checked_normal(const std::vector<std::string_view>& words);
+
+// Corners of the forms 1, 1/2, 1//3 and 1/2/3. Throws InputError where an index is no whole number,
+// 0, or beyond 32 bits.
+std::string checked_face(const std::vector<std::string_view>& words, const std::string& where);
+
+} // namespace raysteps
