@@ -1,0 +1,138 @@
+#include "reference/exact_nearest.h"
+
+#include "catch.h"
+#include "ray_families.h"
+#include "reference/sure_miss.h"
+#include "rounding_bound.h"
+#include "sphere_mesh.h"
+
+#include <iostream>
+
+using namespace raysteps;
+
+namespace {
+
+// Triangles of all sizes, the first five listed twice.
+std::vector<glm::vec3> triangle_soup(Random& random) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec3 middle = point_in_cube(random, 1.0f);
+        const float size = std::ldexp(1.0f, -i / 4);
+        for (int corner = 0; corner < 3; ++corner) {
+            corners.push_back(middle + point_in_cube(random, size));
+        }
+    }
+    const std::vector<glm::vec3> again(corners.begin(), corners.begin() + 15);
+    corners.insert(corners.end(), again.begin(), again.end());
+    return corners;
+}
+
+bool are_equal(const ReferenceHit& a, const ReferenceHit& b) {
+    return a.t == b.t && a.u == b.u && a.v == b.v && a.triangle == b.triangle;
+}
+
+} // namespace
+
+TEST_CASE("of two parallel triangles the nearer one is hit", "[reference][exact]") {
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                         {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    const Ray down{{0.25f, 0.5f, 3}, {0, 0, -2}, 0.0f, 100.0f};
+    const ReferenceHit hit = exact_nearest_hit(down, corners);
+    CHECK(hit.triangle == 1);
+    CHECK(hit.t == 1.0);
+    CHECK(hit.u == 0.25);
+    CHECK(hit.v == 0.5);
+    const Ray up{{0.25f, 0.5f, -3}, {0, 0, 2}, 0.0f, 100.0f};
+    CHECK(exact_nearest_hit(up, corners).triangle == 0);
+    CHECK(exact_nearest_hit(up, corners).t == 1.5);
+}
+
+TEST_CASE("a miss has the t_max of the ray and no triangle", "[reference][exact]") {
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Ray away{{0.25f, 0.5f, 3}, {0, 0, 1}, 0.0f, 100.0f};
+    CHECK(are_equal(exact_nearest_hit(away, corners), {100.0, 0.0, 0.0, no_triangle}));
+    CHECK(are_equal(exact_nearest_hit(away, {}), {100.0, 0.0, 0.0, no_triangle}));
+}
+
+TEST_CASE("of equally near triangles the smallest index wins", "[reference][exact]") {
+    // Both halves of a quad meet the ray on their diagonal; then copies of them.
+    const glm::vec3 a(-1, -1, 0);
+    const glm::vec3 b(1, -1, 0);
+    const glm::vec3 c(1, 1, 0);
+    const glm::vec3 d(-1, 1, 0);
+    const std::vector<glm::vec3> corners{b, a, d, a, b, c, a, c, d, a, c, b, a, b, c};
+    const Ray ray{{0.3f, 0.3f, 7}, {0, 0, -0.3f}, 0.0f, 100.0f};
+    CHECK(exact_nearest_hit(ray, corners).triangle == 1);
+}
+
+TEST_CASE("a third of a float apart is enough to tell which triangle is nearer",
+          "[reference][exact]") {
+    // t = 1/3 and t = 1/3 + 2^-149 / 3 are the same double, but not the same number.
+    const float smallest = std::numeric_limits<float>::denorm_min();
+    const std::vector<glm::vec3> corners{{0, 0, smallest}, {1, 0, smallest}, {0, 1, smallest},
+                                         {0, 0, 0},        {1, 0, 0},        {0, 1, 0}};
+    const Ray up{{0.25f, 0.25f, -1}, {0, 0, 3}, 0.0f, 100.0f};
+    CHECK(exact_nearest_hit(up, corners).triangle == 1);
+    const Ray down{{0.25f, 0.25f, 1}, {0, 0, -3}, 0.0f, 100.0f};
+    CHECK(exact_nearest_hit(down, corners).triangle == 0);
+}
+
+TEST_CASE("the filter changes no answer", "[reference][exact]") {
+    const unsigned seed = 7;
+    CAPTURE(seed);
+    Random random(seed);
+    const std::vector<glm::vec3> corners = triangle_soup(random);
+    int hits = 0;
+    int skipped = 0;
+    for (const Aim aim : {Aim::anywhere, Aim::at_edges, Aim::at_corners}) {
+        for (const Ray& ray : random_rays(aim, 150, 2.0f, corners, random)) {
+            const ReferenceHit expected = exact_nearest_hit_unfiltered(ray, corners);
+            REQUIRE(are_equal(exact_nearest_hit(ray, corners), expected));
+            hits += expected.triangle != no_triangle ? 1 : 0;
+            for (int triangle = 0; triangle < 65; ++triangle) {
+                skipped += surely_misses(ray, corners_of(triangle, corners)) ? 1 : 0;
+            }
+        }
+    }
+    std::cout << "exact: 450 rays, " << hits << " hits, the filter answers " << skipped << " of "
+              << 450 * 65 << " questions, 0 different\n";
+    CHECK(hits > 100);
+    CHECK(skipped > 450 * 65 / 2); // else it saves nothing
+}
+
+TEST_CASE("the filter never calls a hit a sure miss", "[reference][exact]") {
+    const unsigned seed = 11;
+    CAPTURE(seed);
+    Random random(seed);
+    const std::vector<glm::vec3> corners = triangle_soup(random);
+    for (int i = 0; i < 20000; ++i) {
+        // Aimed along one triangle's edges and corners, in large and small coordinates.
+        const int triangle = i % 65;
+        const float scale = std::ldexp(1.0f, (i * 37) % 240 - 130);
+        auto three = corners_of(triangle, corners);
+        const float share = static_cast<float>(i % 9) / 8.0f;
+        for (glm::vec3& corner : three) {
+            corner *= scale;
+        }
+        const glm::vec3 target = three[0] + share * (three[1] - three[0]);
+        const Ray ray = ray_through(scale * point_in_cube(random, 2.0f), target);
+        if (surely_misses(ray, three)) {
+            CAPTURE(i);
+            REQUIRE_FALSE(exact_intersection(ray, three).hit);
+        }
+    }
+}
+
+TEST_CASE("no ray from inside leaves a closed sphere", "[reference][exact][T1][T2]") {
+    const unsigned seed = 3;
+    CAPTURE(seed);
+    Random random(seed);
+    const std::vector<glm::vec3> corners = sphere_mesh(2.0f, 20, 40);
+    REQUIRE(corners.size() == 3 * 1520);
+    for (const Aim aim : {Aim::anywhere, Aim::at_edges, Aim::at_corners}) {
+        const std::vector<Ray> rays = random_rays(aim, 2000, 0.9f, corners, random);
+        for (const ReferenceHit& hit : exact_nearest_hits(rays, corners)) {
+            REQUIRE(hit.triangle != no_triangle);
+        }
+    }
+}
