@@ -3,12 +3,40 @@
 #include "geometry/box.h"
 #include "scene/scene.h"
 
+#include <vector>
+
 namespace raysteps {
 
 // The box around all corners of the scene; empty where it has no triangle.
 Box bounds_of(const Scene& scene);
 
-// A camera that sees the whole box, from above right, at the aspect ratio width / height.
+// A camera that sees the whole box, from above right, at the aspect ratio width / height, which is
+// over 0. Of an empty box, the default camera.
 Camera frame_box(const Box& box, float aspect_ratio);
+
+// The same for all that the scene has. Throws InputError where the eye would be so far out, beyond
+// greatest_coordinate, that squares of distances are no floats.
+Camera frame_camera(const Scene& scene, float aspect_ratio);
+
+// A bright light above left of the camera and a dim one on its right. Light in this project does
+// not fade with the distance and there is none from all around, so the dim one shows what the
+// bright one leaves in shadow.
+std::vector<Light> place_lights(const Camera& camera);
+
+// The scene with a camera, lights and a background, for a model that names none. Throws as
+// frame_camera does.
+Scene frame_scene(Scene scene, float aspect_ratio);
+
+// Lights stay below this. It is what place_lights needs for an eye and a target below
+// greatest_coordinate: 1.8e18 + 1.07 * 2 * sqrt(3) * 1.8e18 = 8.5e18; and the square of a distance
+// to a light, at most 3 * (8.5e18 + 1.8e18)^2 = 3.2e38, is still a float.
+inline constexpr double greatest_light_coordinate = 8.5e18;
+
+// The background of a scene that names none.
+inline constexpr glm::vec3 calm_background{0.10f, 0.13f, 0.19f};
+
+// The camera, its view widened where the picture is higher than wide, so that it still shows all
+// that a square picture shows.
+Camera keep_square_in_view(const Camera& camera, float aspect_ratio);
 
 } // namespace raysteps

@@ -1,0 +1,62 @@
+#include "scene/load_scene.h"
+
+#include "error/error.h"
+#include "scene/append_model.h"
+#include "scene/frame_scene.h"
+#include "scene/load_obj.h"
+#include "scene/read_text_file.h"
+#include "scene/sample_scenes.h"
+#include "scene/toml_scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+namespace raysteps {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_toml_bytes = 1u << 20;
+
+std::string lower_case(std::string text) {
+    for (char& character : text) {
+        if (character >= 'A' && character <= 'Z') {
+            character = static_cast<char>(character - 'A' + 'a');
+        }
+    }
+    return text;
+}
+
+// The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
+Scene load_bare_obj(const fs::path& path, float aspect_ratio) {
+    Scene model = load_obj(path);
+    model.models = {{fs::absolute(path).string(), glm::mat4(1.0f)}};
+    Scene scene = append_model({}, model, glm::mat4(1.0f));
+    scene.name = model.name;
+    return frame_scene(std::move(scene), aspect_ratio);
+}
+
+} // namespace
+
+Scene load_scene(const std::string& name, float aspect_ratio) {
+    if (is_sample_name(name)) {
+        return make_sample_scene(name, aspect_ratio);
+    }
+    const fs::path path(name);
+    const std::string extension = lower_case(path.extension().string());
+    if (extension == ".obj") {
+        return load_bare_obj(path, aspect_ratio);
+    }
+    if (extension == ".toml") {
+        return read_toml_scene(read_text_file(path, most_toml_bytes), path, aspect_ratio);
+    }
+    std::error_code error;
+    if (fs::exists(path, error)) {
+        throw InputError(name + ": this is no scene file. Give a file that ends in .obj or .toml.");
+    }
+    return make_sample_scene(name, aspect_ratio); // which says that there is no such scene
+}
+
+} // namespace raysteps

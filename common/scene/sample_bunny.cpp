@@ -1,0 +1,23 @@
+#include "scene/sample_bunny.h"
+
+#include "error/error.h"
+#include "scene/load_obj.h"
+
+#include <filesystem>
+#include <system_error>
+
+namespace raysteps {
+
+Scene sample_bunny() {
+    const std::filesystem::path path = "/usr/share/glmark2/models/bunny.obj";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        throw InputError("bunny: " + path.string() +
+                         " is not there. Install the package glmark2-data.");
+    }
+    Scene scene = load_obj(path);
+    scene.models.clear(); // it is known by its name, like the other samples
+    return scene;
+}
+
+} // namespace raysteps
