@@ -13,10 +13,13 @@ struct Layout {
 #include "layout/ray.glsl"
 
 #include "layout/hit.glsl"
+
+#include "layout/view.glsl"
 };
 
 using Ray = Layout<float>::Ray;
 using Hit = Layout<float>::Hit;
+using View = Layout<float>::View;
 
 inline constexpr int no_triangle = -1;
 

@@ -1,0 +1,31 @@
+#include "gpu/check_gl.h"
+
+#include "error/error.h"
+#include "gpu/gl.h"
+
+#include <cstdio>
+
+namespace raysteps {
+
+void check_gl(const std::string& doing) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) {
+        return;
+    }
+    clear_gl_errors();
+    if (error == GL_OUT_OF_MEMORY) {
+        throw MachineError("OpenGL ran out of memory while " + doing +
+                           ". Take a smaller scene or a smaller --size.");
+    }
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04X", error);
+    throw MachineError("OpenGL reported the error " + std::string(code) + " while " + doing +
+                       ". Try --context osmesa; if it persists, it is a fault of Raysteps.");
+}
+
+void clear_gl_errors() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
+} // namespace raysteps

@@ -1,0 +1,57 @@
+#include "gpu/context.h"
+
+#include "error/error.h"
+#include "gpu/gl.h"
+
+namespace raysteps {
+
+namespace {
+
+std::unique_ptr<Context> make_automatic_context() {
+    try {
+        return make_egl_context(EglDevices::hardware_only);
+    } catch (const MachineError&) {
+        // No GPU without a display is the usual case, and no fault.
+        return make_osmesa_context();
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Context> make_context(ContextKind kind) {
+    switch (kind) {
+    case ContextKind::osmesa:
+        return make_osmesa_context();
+    case ContextKind::egl:
+        return make_egl_context(EglDevices::any);
+    case ContextKind::window:
+        return make_window_context(64, 64, Visibility::hidden);
+    case ContextKind::automatic:
+        break;
+    }
+    return make_automatic_context();
+}
+
+std::string renderer_name() {
+    const auto text = [](GLenum name) {
+        const GLubyte* value = glGetString(name);
+        return value ? std::string(reinterpret_cast<const char*>(value)) : std::string("unknown");
+    };
+    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+void load_gl(FindGlFunction find, const std::string& provider) {
+    const int version = gladLoadGL(find);
+    if (version == 0) {
+        throw MachineError(provider + ": OpenGL could not be loaded. Install a driver, or try "
+                                      "--context osmesa.");
+    }
+    if (version < GLAD_MAKE_VERSION(4, 1)) {
+        throw MachineError(provider + ": OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) +
+                           "." + std::to_string(GLAD_VERSION_MINOR(version)) +
+                           " is too old, 4.1 is needed. Update the driver, or try --context "
+                           "osmesa.");
+    }
+}
+
+} // namespace raysteps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gpu/live_mask.h"
+#include "gpu/program.h"
+#include "gpu/texture.h"
+
+#include <functional>
+#include <initializer_list>
+#include <vector>
+
+namespace raysteps {
+
+// Whether a drawn colour takes the place of the one that is there, or is added to it.
+enum class Blend { replace, add };
+
+// What covers the picture: one triangle, or a rectangle of two whose corners carry values to
+// interpolate.
+enum class Shape { triangle, rectangle };
+
+// What a full-screen pass writes: textures of equal size, in the order of the pass's outputs.
+struct Targets {
+    std::vector<std::reference_wrapper<const Texture>> textures;
+    const LiveMask* live = nullptr; // where given, only live pixels are drawn
+    Blend blend = Blend::replace;
+    Shape shape = Shape::triangle;
+};
+
+// Runs the program's fragment pass once for every pixel (of the mask, where one is given).
+void draw(const Program& program, const Targets& targets);
+
+// Sets every texel to zero.
+void clear(const Texture& texture);
+
+} // namespace raysteps

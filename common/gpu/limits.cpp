@@ -1,0 +1,61 @@
+#include "gpu/limits.h"
+
+#include "error/error.h"
+#include "gpu/draw.h"
+
+#include <array>
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+// A loop that is stopped below this makes every pass a crowd of launches: something is wrong.
+constexpr int least_loop_budget = 1024;
+
+int measure_loop_budget() {
+    Program program("pass/probe_loop.frag");
+    program.set("rounds", no_loop_limit);
+    const Texture counted(TexelFormat::rgba32ui, 4, 4);
+    draw(program, {{counted}});
+    unsigned fewest = no_loop_limit;
+    for (const glm::uvec4& texel : read_integers(counted)) {
+        fewest = std::min(fewest, texel.x);
+    }
+    return static_cast<int>(fewest);
+}
+
+// Bits that a texture and a fetch must return as they are: the smallest denormal, a NaN's, and all
+// of them.
+void check_bits() {
+    const std::array<glm::uvec4, 1> bits{glm::uvec4{1u, 0x7fc00001u, 0xffffffffu, 0x80000000u}};
+    const Texture texture(TexelFormat::rgba32ui, 1, 1);
+    write_texels(texture, bits);
+    Program program("pass/probe_bits.frag");
+    program.set("bits", texture);
+    const Texture copied(TexelFormat::rgba32ui, 1, 1);
+    draw(program, {{copied}});
+    if (read_integers(copied).front() != bits.front()) {
+        throw MachineError("This machine's OpenGL changes the bits of integer textures, so hits "
+                           "would be wrong. Update the driver, or try --context osmesa.");
+    }
+}
+
+} // namespace
+
+Limits measure_limits() {
+    Limits limits{};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.texture_size);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limits.buffer_texels);
+    check_bits();
+    limits.loop_budget = measure_loop_budget();
+    if (limits.loop_budget < least_loop_budget) {
+        throw MachineError("This machine's OpenGL stops a loop after " +
+                           std::to_string(limits.loop_budget) +
+                           " rounds, which is too few for a walk. Update the driver, or try "
+                           "--context osmesa.");
+    }
+    return limits;
+}
+
+} // namespace raysteps

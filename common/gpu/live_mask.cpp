@@ -1,0 +1,77 @@
+#include "gpu/live_mask.h"
+
+#include "gpu/check_gl.h"
+#include "gpu/framebuffer.h"
+
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+// Current while a mask is drawn to without any colour.
+class MaskFramebuffer {
+public:
+    explicit MaskFramebuffer(const LiveMask& mask) {
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                  mask.id());
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_EQUAL, 1, 1);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    }
+    ~MaskFramebuffer() { glDisable(GL_STENCIL_TEST); }
+    MaskFramebuffer(const MaskFramebuffer&) = delete;
+    MaskFramebuffer& operator=(const MaskFramebuffer&) = delete;
+
+private:
+    Framebuffer framebuffer_;
+};
+
+} // namespace
+
+LiveMask::LiveMask(int width, int height) : width_(width), height_(height) {
+    clear_gl_errors();
+    glGenRenderbuffers(1, &id_);
+    glBindRenderbuffer(GL_RENDERBUFFER, id_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
+    try {
+        check_gl("making a mask of " + std::to_string(width) + " x " + std::to_string(height));
+    } catch (...) {
+        glDeleteRenderbuffers(1, &id_);
+        throw;
+    }
+    const MaskFramebuffer framebuffer(*this);
+    const GLint live = 1;
+    glClearBufferiv(GL_STENCIL, 0, &live);
+}
+
+LiveMask::~LiveMask() {
+    glDeleteRenderbuffers(1, &id_);
+}
+
+void retire(LiveMask& mask, const Program& program) {
+    const MaskFramebuffer framebuffer(mask);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    program.use();
+    draw_triangle(mask.width(), mask.height());
+    check_gl("retiring rays");
+}
+
+long count_live(const LiveMask& mask, const Program& program) {
+    const MaskFramebuffer framebuffer(mask);
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    program.use();
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw_triangle(mask.width(), mask.height());
+    glEndQuery(GL_SAMPLES_PASSED);
+    GLuint count = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    glDeleteQueries(1, &query);
+    check_gl("counting rays");
+    return static_cast<long>(count);
+}
+
+} // namespace raysteps

@@ -1,0 +1,170 @@
+#include "gpu/texture.h"
+
+#include "error/error.h"
+#include "gpu/check_gl.h"
+
+#include <cassert>
+#include <string>
+#include <utility>
+
+namespace raysteps {
+
+namespace {
+
+struct FormatNames {
+    GLint internal;
+    GLenum layout;
+    GLenum type;
+};
+
+FormatNames names_of(TexelFormat format) {
+    if (format == TexelFormat::rgba32ui) {
+        return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    }
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+}
+
+std::string size_text(int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+void write_bytes(const Texture& texture, const void* texels) {
+    const FormatNames names = names_of(texture.format());
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width(), texture.height(), names.layout,
+                    names.type, texels);
+    check_gl("writing a texture of " + size_text(texture.width(), texture.height()));
+}
+
+void read_bytes(const Texture& texture, void* texels) {
+    const FormatNames names = names_of(texture.format());
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glGetTexImage(GL_TEXTURE_2D, 0, names.layout, names.type, texels);
+    check_gl("reading a texture of " + size_text(texture.width(), texture.height()));
+}
+
+std::size_t texel_count(const Texture& texture) {
+    return static_cast<std::size_t>(texture.width()) * static_cast<std::size_t>(texture.height());
+}
+
+} // namespace
+
+Texture::Texture(TexelFormat format, int width, int height)
+    : format_(format), width_(width), height_(height) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (width < 1 || height < 1 || width > limit || height > limit) {
+        throw MachineError("A texture of " + size_text(width, height) +
+                           " is asked for, but this machine's OpenGL has 1 x 1 to " +
+                           size_text(limit, limit) + ". Take another --size.");
+    }
+    const FormatNames names = names_of(format);
+    clear_gl_errors();
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexImage2D(GL_TEXTURE_2D, 0, names.internal, width, height, 0, names.layout, names.type,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    try {
+        check_gl("making a texture of " + size_text(width, height));
+    } catch (...) {
+        glDeleteTextures(1, &id_);
+        throw;
+    }
+}
+
+Texture::~Texture() {
+    if (id_ != 0) {
+        glDeleteTextures(1, &id_);
+    }
+}
+
+Texture::Texture(Texture&& other) noexcept
+    : id_(std::exchange(other.id_, 0)), format_(other.format_), width_(other.width_),
+      height_(other.height_) {}
+
+Texture& Texture::operator=(Texture&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(format_, other.format_);
+    std::swap(width_, other.width_);
+    std::swap(height_, other.height_);
+    return *this;
+}
+
+void write_texels(const Texture& texture, std::span<const glm::vec4> texels) {
+    assert(texture.format() == TexelFormat::rgba32f && texels.size() == texel_count(texture));
+    write_bytes(texture, texels.data());
+}
+
+void write_texels(const Texture& texture, std::span<const glm::uvec4> texels) {
+    assert(texture.format() == TexelFormat::rgba32ui && texels.size() == texel_count(texture));
+    write_bytes(texture, texels.data());
+}
+
+std::vector<glm::vec4> read_floats(const Texture& texture) {
+    assert(texture.format() == TexelFormat::rgba32f);
+    std::vector<glm::vec4> texels(texel_count(texture));
+    read_bytes(texture, texels.data());
+    return texels;
+}
+
+std::vector<glm::uvec4> read_integers(const Texture& texture) {
+    assert(texture.format() == TexelFormat::rgba32ui);
+    std::vector<glm::uvec4> texels(texel_count(texture));
+    read_bytes(texture, texels.data());
+    return texels;
+}
+
+BufferTexture::BufferTexture(std::span<const glm::vec4> texels)
+    : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_RGBA32F) {}
+
+BufferTexture::BufferTexture(std::span<const std::int32_t> texels)
+    : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_R32I) {}
+
+BufferTexture::BufferTexture(const void* bytes, std::size_t size, std::size_t texels,
+                             GLenum format) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (texels > static_cast<std::size_t>(limit)) {
+        throw MachineError("A buffer texture of " + std::to_string(texels) +
+                           " texels is asked for, but this machine's OpenGL has at most " +
+                           std::to_string(limit) + ". Take a scene with fewer triangles.");
+    }
+    clear_gl_errors();
+    glGenBuffers(1, &buffer_);
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+    // An empty buffer cannot be bound to a texture: an empty array keeps room for one texel.
+    constexpr GLsizeiptr one_texel = 16;
+    glBufferData(GL_TEXTURE_BUFFER, texels == 0 ? one_texel : static_cast<GLsizeiptr>(size),
+                 texels == 0 ? nullptr : bytes, GL_STATIC_DRAW);
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_BUFFER, id_);
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_);
+    try {
+        check_gl("making a buffer texture of " + std::to_string(texels) + " texels");
+    } catch (...) {
+        glDeleteTextures(1, &id_);
+        glDeleteBuffers(1, &buffer_);
+        throw;
+    }
+}
+
+BufferTexture::~BufferTexture() {
+    if (id_ != 0) {
+        glDeleteTextures(1, &id_);
+        glDeleteBuffers(1, &buffer_);
+    }
+}
+
+BufferTexture::BufferTexture(BufferTexture&& other) noexcept
+    : buffer_(std::exchange(other.buffer_, 0)), id_(std::exchange(other.id_, 0)) {}
+
+BufferTexture& BufferTexture::operator=(BufferTexture&& other) noexcept {
+    std::swap(buffer_, other.buffer_);
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+} // namespace raysteps

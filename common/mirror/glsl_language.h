@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cassert>
+#include <cstdint>
+#include <span>
+
+// What a shader part takes for granted in GLSL, for the parts that are compiled as C++.
+namespace raysteps::mirror {
+
+using glm::abs;
+using glm::ivec4;
+using glm::max;
+using glm::sqrt;
+using glm::vec3;
+using glm::vec4;
+
+// The names are GLSL's own.
+// NOLINTBEGIN(readability-identifier-naming)
+struct samplerBuffer {
+    std::span<const vec4> texels;
+};
+
+struct isamplerBuffer {
+    std::span<const std::int32_t> texels;
+};
+
+// A GPU returns zero for a place outside; here it is a fault.
+inline vec4 texelFetch(const samplerBuffer& buffer, int place) {
+    assert(place >= 0 && static_cast<std::size_t>(place) < buffer.texels.size());
+    return buffer.texels[static_cast<std::size_t>(place)];
+}
+
+inline ivec4 texelFetch(const isamplerBuffer& buffer, int place) {
+    assert(place >= 0 && static_cast<std::size_t>(place) < buffer.texels.size());
+    return {buffer.texels[static_cast<std::size_t>(place)], 0, 0, 1};
+}
+// NOLINTEND(readability-identifier-naming)
+
+} // namespace raysteps::mirror

@@ -1,0 +1,14 @@
+#include "render/scene_textures.h"
+
+#include "scene/pack_scene.h"
+
+namespace raysteps {
+
+SceneTextures upload(const Scene& scene) {
+    return {triangle_count(scene), BufferTexture(pack_vectors(scene.corners)),
+            BufferTexture(pack_vectors(scene.normals)),
+            BufferTexture(std::span<const std::int32_t>(scene.triangle_materials)),
+            BufferTexture(pack_materials(scene.materials))};
+}
+
+} // namespace raysteps

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gpu/texture.h"
+#include "scene/scene.h"
+
+namespace raysteps {
+
+// A scene as the kernels read it. Only upload knows both sides: layout/triangles.glsl and
+// layout/surface.glsl say what lies where.
+struct SceneTextures {
+    int triangle_count = 0;
+    BufferTexture corners;            // three texels a triangle
+    BufferTexture normals;            // three texels a triangle
+    BufferTexture triangle_materials; // one integer a triangle
+    BufferTexture materials;          // three texels a material
+};
+
+SceneTextures upload(const Scene& scene);
+
+} // namespace raysteps

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "scene/material.h"
+
+#include <glm/vec4.hpp>
+
+#include <span>
+#include <vector>
+
+namespace raysteps {
+
+// The texels that the kernels and their mirror read, as layout/triangles.glsl and
+// layout/surface.glsl say. The fourth number of a texel is 0 where nothing is said of it.
+std::vector<glm::vec4> pack_vectors(std::span<const glm::vec3> vectors);
+
+// Three texels a material: diffuse; specular, and 1 in w where it is a mirror; emission.
+std::vector<glm::vec4> pack_materials(std::span<const Material> materials);
+
+} // namespace raysteps

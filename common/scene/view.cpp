@@ -1,0 +1,27 @@
+#include "scene/view.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace raysteps {
+
+View view_of(const Camera& camera, double aspect_ratio) {
+    const glm::dvec3 eye(camera.eye);
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double half_height =
+        std::tan(glm::radians(static_cast<double>(camera.vertical_field_of_view)) / 2.0);
+    const double half_width = half_height * aspect_ratio;
+
+    View view{};
+    view.eye = camera.eye;
+    view.lower_left = glm::vec3(forward - half_width * right - half_height * up);
+    view.right = glm::vec3(2.0 * half_width * right);
+    view.up = glm::vec3(2.0 * half_height * up);
+    return view;
+}
+
+} // namespace raysteps

@@ -1,0 +1,12 @@
+// The ray through the point (s, t) of the view; (0, 0) is the lower left corner of the picture.
+// Its direction is not normalised: t counts depths of the view rectangle, not lengths.
+
+Ray primary_ray(View view, real s, real t) {
+    precise real3 direction = view.lower_left + s * view.right + t * view.up;
+    Ray ray;
+    ray.origin = view.eye;
+    ray.direction = direction;
+    ray.t_min = real(0.0f);
+    ray.t_max = real(farthest);
+    return ray;
+}

@@ -1,0 +1,21 @@
+// Products of vectors, written out: GLSL's own may round as a driver likes, and these round the
+// same on a GPU and in C++. `precise` forbids to fuse or reorder.
+
+real dot_product(real3 a, real3 b) {
+    precise real sum = a.x * b.x + a.y * b.y + a.z * b.z;
+    return sum;
+}
+
+real3 cross_product(real3 a, real3 b) {
+    precise real x = a.y * b.z - a.z * b.y;
+    precise real y = a.z * b.x - a.x * b.z;
+    precise real z = a.x * b.y - a.y * b.x;
+    return real3(x, y, z);
+}
+
+// The vector of length 1 in the same direction; of the zero vector, not a number.
+real3 unit(real3 a) {
+    precise real length_of_a = sqrt(dot_product(a, a));
+    precise real3 result = a / length_of_a;
+    return result;
+}

@@ -1,0 +1,38 @@
+#version 410 core
+// The light of one lamp on each hit, where its shadow ray met nothing.
+#include "geometry/hit.glsl"
+#include "geometry/leave_surface.glsl"
+#include "geometry/vector.glsl"
+#include "layout/far.glsl"
+#include "layout/hit.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/ray.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/surfaces.glsl"
+#include "layout/triangles.glsl"
+#include "shading/lambert.glsl"
+#include "shading/surface.glsl"
+#include <real>
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform usampler2D hits;
+uniform usampler2D shadow_hits;
+uniform sampler2D weights;
+uniform vec3 light_position;
+uniform vec3 light_color;
+
+out vec4 color; // added to the picture
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    Surface surface = surface_at(ray, unpack_hit(texelFetch(hits, pixel, 0)));
+    bool blocked = is_hit(unpack_hit(texelFetch(shadow_hits, pixel, 0)));
+    color = vec4(0.0);
+    if (!blocked && faces_light(surface, light_position)) {
+        precise vec3 weighted = vec3(texelFetch(weights, pixel, 0)) *
+                                diffuse_light(surface, light_position, light_color);
+        color = vec4(weighted, 0.0);
+    }
+}

@@ -1,0 +1,26 @@
+#version 410 core
+// What a path sees without any light: the background where it leaves the scene, and the glow of
+// what it hits.
+#include "geometry/hit.glsl"
+#include "layout/hit.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/ray.glsl"
+#include "layout/surfaces.glsl"
+#include <real>
+
+uniform usampler2D hits;
+uniform sampler2D weights;
+uniform vec3 background;
+
+out vec4 color; // added to the picture
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    vec3 seen = background;
+    if (is_hit(hit)) {
+        seen = triangle_material(hit.triangle).emission;
+    }
+    precise vec3 weighted = vec3(texelFetch(weights, pixel, 0)) * seen;
+    color = vec4(weighted, 0.0);
+}

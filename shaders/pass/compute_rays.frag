@@ -1,0 +1,21 @@
+#version 410 core
+// Primary rays computed by each pixel from its own place.
+#include "geometry/camera.glsl"
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/view.glsl"
+#include <real>
+
+uniform View view;
+uniform vec2 picture_size; // in pixels
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+
+void main() {
+    // gl_FragCoord is the centre of the pixel: (0.5, 0.5) in the lower left one.
+    Ray ray = primary_ray(view, gl_FragCoord.x / picture_size.x, gl_FragCoord.y / picture_size.y);
+    ray_origin = pack_ray_origin(ray);
+    ray_direction = pack_ray_direction(ray);
+}

@@ -1,0 +1,17 @@
+#version 410 core
+// The four corners of the picture carry the four corner rays; the rasterizer interpolates between
+// them. Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing",
+// 2010, section 2.2.
+#include "layout/view.glsl"
+#include <real>
+
+uniform View view;
+
+out vec3 corner_direction;
+
+void main() {
+    float s = float(gl_VertexID & 1);
+    float t = float(gl_VertexID >> 1);
+    corner_direction = view.lower_left + s * view.right + t * view.up;
+    gl_Position = vec4(2.0 * s - 1.0, 2.0 * t - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,36 @@
+#version 410 core
+// Each ray that hit a mirror goes on from there, and its colour counts as much less as the mirror
+// keeps.
+#include "geometry/hit.glsl"
+#include "geometry/leave_surface.glsl"
+#include "geometry/vector.glsl"
+#include "layout/far.glsl"
+#include "layout/hit.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/ray.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/surfaces.glsl"
+#include "layout/triangles.glsl"
+#include "shading/mirror.glsl"
+#include "shading/surface.glsl"
+#include <real>
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform usampler2D hits;
+uniform sampler2D weights;
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+layout(location = 2) out vec4 weight;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    Surface surface = surface_at(ray, unpack_hit(texelFetch(hits, pixel, 0)));
+    Ray reflected = mirror_ray(surface, ray);
+    ray_origin = pack_ray_origin(reflected);
+    ray_direction = pack_ray_direction(reflected);
+    precise vec3 kept = vec3(texelFetch(weights, pixel, 0)) * surface.material.specular;
+    weight = vec4(kept, 0.0);
+}

@@ -1,0 +1,15 @@
+#version 410 core
+// Draws the pixels whose path ends at a surface that is no mirror.
+#include "layout/hit.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/surfaces.glsl"
+#include <real>
+
+uniform usampler2D hits;
+
+void main() {
+    Hit hit = unpack_hit(texelFetch(hits, ivec2(gl_FragCoord.xy), 0));
+    if (triangle_material(hit.triangle).mirror) {
+        discard;
+    }
+}
