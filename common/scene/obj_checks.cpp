@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace raysteps {
 
@@ -66,6 +67,13 @@ void check_corner(std::string_view corner, const std::string& where) {
                      ", but a corner has at most three parts. Check the export.");
 }
 
+// A parser that looks for a number behind the slash of "1/ 2" finds that of the next corner.
+std::string_view without_empty_end(std::string_view corner) {
+    while (corner.ends_with('/'))
+        corner.remove_suffix(1);
+    return corner;
+}
+
 } // namespace
 
 std::string checked_vertex(const std::vector<std::string_view>& words, const std::string& where) {
@@ -84,9 +92,12 @@ std::string checked_normal(const std::vector<std::string_view>& words) {
 }
 
 std::string checked_face(const std::vector<std::string_view>& words, const std::string& where) {
-    for (std::size_t i = 1; i < words.size(); ++i)
-        check_corner(words[i], where);
-    return joined(words, words.size());
+    std::string face = "f";
+    for (const std::string_view corner : std::span(words).subspan(1)) {
+        check_corner(corner, where);
+        face.append(1, ' ').append(without_empty_end(corner));
+    }
+    return face + '\n';
 }
 
 } // namespace raysteps
