@@ -5,11 +5,6 @@
 #include "image/color_space.h"
 #include "image/read_file.h"
 
-// Static, because another library in the program may bring its own copy of stb.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
 #include <stb_image.h>
 
 #include <cstdint>

@@ -6,10 +6,6 @@
 #include "image/count_nan_pixels.h"
 #include "image/write_file.h"
 
-// Static, because another library in the program may bring its own copy of stb.
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>
 
 #include <cstdint>
