@@ -17,7 +17,7 @@ namespace raysteps {
 namespace {
 
 constexpr double field_of_view = 35.0; // degrees
-constexpr double margin = 1.06;        // how much farther away than is needed to see everything
+constexpr double margin = 1.02;        // how much farther away than is needed to see everything
 
 std::array<glm::dvec3, 8> corners_of(const Box& box) {
     std::array<glm::dvec3, 8> corners;
@@ -99,7 +99,7 @@ std::vector<Light> place_lights(const Camera& camera) {
     const double distance = glm::length(line_of_sight);
     const glm::dvec3 bright = eye + distance * (-0.7 * frame.right + 0.8 * frame.up);
     const glm::dvec3 dim = eye + distance * (0.9 * frame.right + 0.2 * frame.up);
-    return {{glm::vec3(bright), {0.95f, 0.91f, 0.84f}}, {glm::vec3(dim), {0.24f, 0.27f, 0.33f}}};
+    return {{glm::vec3(bright), {0.84f, 0.80f, 0.74f}}, {glm::vec3(dim), {0.24f, 0.27f, 0.33f}}};
 }
 
 Scene frame_scene(Scene scene, float aspect_ratio) {

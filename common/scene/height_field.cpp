@@ -48,8 +48,8 @@ HeightField random_mountain(int depth, int seed) {
         return field;
     }
     // The summit stands in the middle.
-    field = {2, {0.0f, 0.0f, 0.0f, 0.0f, 0.7f, 0.0f, 0.0f, 0.0f, 0.0f}};
-    float roughness = 0.2f;
+    field = {2, {0.0f, 0.0f, 0.0f, 0.0f, 0.75f, 0.0f, 0.0f, 0.0f, 0.0f}};
+    float roughness = 0.3f;
     for (int level = 1; level < depth; ++level) {
         field = refine(field, random, roughness);
         roughness *= 0.5f;

@@ -100,7 +100,8 @@ Scene sample_cornell_box() {
     scene = add_mesh(std::move(scene), short_block(), matte("short block", white));
     scene = add_mesh(std::move(scene), tall_block(), matte("tall block", white));
     scene = add_mesh(std::move(scene), lamp(), lamp_material);
-    scene.lights = {{{278.0f, 540.0f, 279.5f}, {1.0f, 0.95f, 0.85f}}};
+    scene.lights = {{{278.0f, 540.0f, 279.5f}, {0.90f, 0.85f, 0.76f}},
+                    {measured_camera().eye, glm::vec3(0.12f)}};
     scene.camera = measured_camera();
     scene.background = glm::vec3(0.0f);
     return scene;

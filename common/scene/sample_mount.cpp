@@ -52,11 +52,11 @@ std::array<Mesh, 3> mountain(const HeightField& field) {
 }
 
 Mesh four_balls() {
-    const float radius = 0.13f;
-    const std::vector<glm::vec3> centers = {{-0.62f, 0.55f, 0.45f},
-                                            {-0.10f, 0.42f, 0.72f},
-                                            {0.42f, 0.52f, 0.62f},
-                                            {0.66f, 0.75f, 0.10f}};
+    const float radius = 0.12f;
+    const std::vector<glm::vec3> centers = {{-0.52f, 0.62f, 0.20f},
+                                            {-0.22f, 0.34f, 0.74f},
+                                            {0.34f, 0.42f, 0.62f},
+                                            {0.50f, 0.80f, -0.05f}};
     Mesh mesh;
     for (const glm::vec3& center : centers) {
         mesh = join(std::move(mesh), sphere(center, radius, 8));
@@ -76,7 +76,7 @@ Scene sample_mount(int depth) {
                      mirror("mirror", glm::vec3(0.05f), glm::vec3(0.85f)));
     scene.lights = {{{-6.0f, 5.0f, 3.0f}, {0.95f, 0.85f, 0.70f}},
                     {{5.0f, 6.0f, 5.0f}, {0.22f, 0.26f, 0.34f}}};
-    scene.camera = {{0.7f, 1.35f, 3.1f}, {0.0f, 0.25f, 0.0f}, {0.0f, 1.0f, 0.0f}, 38.0f};
+    scene.camera = {{0.55f, 0.95f, 2.6f}, {0.0f, 0.42f, 0.0f}, {0.0f, 1.0f, 0.0f}, 36.0f};
     scene.background = {0.25f, 0.38f, 0.60f};
     return scene;
 }

@@ -74,7 +74,7 @@ int divisions_of(int level) {
 }
 
 Mesh floor_square() {
-    const float size = 6.0f;
+    const float size = 14.0f;
     const float height = -1.05f; // just under the lowest ball, so that nothing touches
     return quad({-size, height, size}, {size, height, size}, {size, height, -size},
                 {-size, height, -size});

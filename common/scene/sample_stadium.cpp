@@ -71,14 +71,11 @@ Mesh stripes(int remainder) {
     return mesh;
 }
 
-// The knot, 40 cm wide and standing upright 5 cm over the pitch.
+// The knot, 41 cm wide, 5 cm over the pitch.
 Mesh small_knot(int size) {
     Mesh mesh = torus_knot(size);
     for (glm::vec3& corner : mesh.corners) {
-        corner = glm::vec3(0.1f * corner.x, 0.25f - 0.1f * corner.z, 0.1f * corner.y);
-    }
-    for (glm::vec3& normal : mesh.normals) {
-        normal = glm::vec3(normal.x, -normal.z, normal.y);
+        corner = 0.1f * corner + glm::vec3(0.0f, 0.26f, 0.0f);
     }
     return mesh;
 }
