@@ -1,12 +1,12 @@
 #version 410 core
 // What a path sees without any light: the background where it leaves the scene, and the glow of
 // what it hits.
-#include "geometry/hit.glsl"
+#include <real>
+#include "layout/ray.glsl"
 #include "layout/hit.glsl"
 #include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
 #include "layout/surfaces.glsl"
-#include <real>
+#include "geometry/hit.glsl"
 
 uniform usampler2D hits;
 uniform sampler2D weights;

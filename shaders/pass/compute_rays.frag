@@ -1,11 +1,11 @@
 #version 410 core
 // Primary rays computed by each pixel from its own place.
-#include "geometry/camera.glsl"
+#include <real>
 #include "layout/far.glsl"
 #include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
 #include "layout/view.glsl"
-#include <real>
+#include "layout/ray_texels.glsl"
+#include "geometry/camera.glsl"
 
 uniform View view;
 uniform vec2 picture_size; // in pixels

@@ -2,8 +2,8 @@
 // The four corners of the picture carry the four corner rays; the rasterizer interpolates between
 // them. Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing",
 // 2010, section 2.2.
-#include "layout/view.glsl"
 #include <real>
+#include "layout/view.glsl"
 
 uniform View view;
 

@@ -1,19 +1,19 @@
 #version 410 core
 // Each ray that hit a mirror goes on from there, and its colour counts as much less as the mirror
 // keeps.
+#include <real>
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/triangles.glsl"
+#include "layout/surfaces.glsl"
+#include "geometry/vector.glsl"
 #include "geometry/hit.glsl"
 #include "geometry/leave_surface.glsl"
-#include "geometry/vector.glsl"
-#include "layout/far.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/surfaces.glsl"
-#include "layout/triangles.glsl"
-#include "shading/mirror.glsl"
 #include "shading/surface.glsl"
-#include <real>
+#include "shading/mirror.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

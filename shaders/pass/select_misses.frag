@@ -1,10 +1,10 @@
 #version 410 core
 // Draws the pixels whose ray left the scene.
-#include "geometry/hit.glsl"
+#include <real>
+#include "layout/ray.glsl"
 #include "layout/hit.glsl"
 #include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
-#include <real>
+#include "geometry/hit.glsl"
 
 uniform usampler2D hits;
 

@@ -1,9 +1,9 @@
 #version 410 core
 // Draws the pixels whose walk was cut short, so that a query can count them.
+#include <real>
+#include "layout/ray.glsl"
 #include "layout/hit.glsl"
 #include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
-#include <real>
 
 uniform usampler2D hits;
 

@@ -1,9 +1,9 @@
 #version 410 core
 // Draws the pixels whose path ends at a surface that is no mirror.
+#include <real>
 #include "layout/hit.glsl"
 #include "layout/hit_texel.glsl"
 #include "layout/surfaces.glsl"
-#include <real>
 
 uniform usampler2D hits;
 

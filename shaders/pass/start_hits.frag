@@ -1,11 +1,11 @@
 #version 410 core
 // The initialising kernel: before the first launch of a walk, each ray has hit nothing.
-#include "geometry/hit.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
 #include <real>
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "geometry/hit.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -1,18 +1,18 @@
 #version 410 core
 // One launch of a walk: each ray goes on from its last hit (the paper's `lasthit`).
-#include "geometry/hit.glsl"
-#include "geometry/ray.glsl"
-#include "geometry/vector.glsl"
-#include "layout/far.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/triangles.glsl"
-#include <observer>
 #include <real>
-#include <structure>
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/triangles.glsl"
+#include "geometry/vector.glsl"
+#include "geometry/ray.glsl"
+#include "geometry/hit.glsl"
 #include <triangle>
+#include <observer>
+#include <structure>
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
