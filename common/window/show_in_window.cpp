@@ -1,0 +1,1 @@
+#include "window/show_in_window.h"
