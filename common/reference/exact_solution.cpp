@@ -66,7 +66,11 @@ double nearest_double(const Fraction& fraction) {
     if (fraction.numerator == 0) {
         return 0.0;
     }
-    Integer numerator = abs(fraction.numerator);
+    const bool is_negative = fraction.numerator < 0;
+    Integer numerator = fraction.numerator;
+    if (is_negative) {
+        numerator = -numerator;
+    }
     Integer denominator = fraction.denominator;
     // Scale so that the quotient has 62 or 63 bits: more than the 53 of a double.
     const int shift = 62 + static_cast<int>(msb(denominator)) - static_cast<int>(msb(numerator));
@@ -83,7 +87,7 @@ double nearest_double(const Fraction& fraction) {
         bits |= 1u; // keeps a quotient just beside the middle of two doubles off the middle
     }
     const double magnitude = std::ldexp(static_cast<double>(bits), -shift);
-    return fraction.numerator < 0 ? -magnitude : magnitude;
+    return is_negative ? -magnitude : magnitude;
 }
 
 bool is_usable(const Ray& ray) {

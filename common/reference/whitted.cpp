@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <string>
 
 namespace raysteps {
@@ -88,14 +88,23 @@ glm::dvec3 trace(const Scene& scene, const ReferenceRay& ray, int bounces_left) 
            glm::dvec3(surface.material->specular) * trace(scene, reflected, bounces_left - 1);
 }
 
+struct Pixel {
+    int column = 0;
+    int row = 0;
+};
+
+Pixel pixel_at(std::size_t i, int width) {
+    const auto columns = static_cast<std::size_t>(width);
+    return {static_cast<int>(i % columns), static_cast<int>(i / columns)};
+}
+
 } // namespace
 
 Image render_whitted(const Scene& scene, int width, int height, int max_bounces) {
     check_arguments(width, height, max_bounces);
     Image image(width, height);
     on_all_cores(image.pixels.size(), [&](std::size_t i) {
-        const int column = static_cast<int>(i) % width;
-        const int row = static_cast<int>(i) / width;
+        const auto [column, row] = pixel_at(i, width);
         const ReferenceRay ray = reference_ray(scene.camera, width, height, column, row);
         image.at(column, row) = trace(scene, ray, max_bounces);
     });
@@ -108,11 +117,10 @@ std::vector<double> whitted_sensitivity(const Scene& scene, int width, int heigh
     std::vector<double> sensitivity(static_cast<std::size_t>(width) *
                                     static_cast<std::size_t>(height));
     on_all_cores(sensitivity.size(), [&](std::size_t i) {
+        const Pixel pixel = pixel_at(i, width);
         const auto color_beside = [&](double right, double down) {
-            const auto column = static_cast<double>(static_cast<int>(i) % width);
-            const auto row = static_cast<double>(static_cast<int>(i) / width);
             const ReferenceRay ray =
-                reference_ray(scene.camera, width, height, column + right, row + down);
+                reference_ray(scene.camera, width, height, pixel.column + right, pixel.row + down);
             return trace(scene, ray, max_bounces);
         };
         const glm::dvec3 middle = color_beside(0.0, 0.0);
