@@ -3,6 +3,7 @@
 #include "error/error.h"
 #include "scene/frame_scene.h"
 #include "scene/nearest_word.h"
+#include "scene/obj_findings.h"
 
 #include <charconv>
 #include <system_error>
@@ -53,8 +54,8 @@ int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
     const bool is_number = result.ec == std::errc() && result.ptr == end;
     if (!is_number || value < parameter.lowest || value > parameter.highest) {
         throw InputError(pattern_of(sample) + ": " + std::string(parameter.name) +
-                         " is a whole number from " + range_of(parameter) + ", not \"" +
-                         std::string(text) + "\".");
+                         " is a whole number from " + range_of(parameter) + ", not " +
+                         in_quotes(text) + ".");
     }
     return value;
 }
@@ -66,7 +67,7 @@ int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
     }
     const std::string nearest(nearest_word(name, names));
     const std::string hint = nearest.empty() ? "" : "Did you mean " + nearest + "? ";
-    throw InputError("There is no scene \"" + std::string(name) + "\". " + hint +
+    throw InputError("There is no scene " + in_quotes(name) + ". " + hint +
                      "Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
 }
 
@@ -84,7 +85,7 @@ Scene make_sample_scene(std::string_view name, float aspect_ratio) {
     }
     const std::size_t given = parts.size() - 1;
     if (given > sample->parameters.size()) {
-        throw InputError("\"" + std::string(name) + "\" has " + std::to_string(given) +
+        throw InputError(in_quotes(name) + " has " + std::to_string(given) +
                          " parameters, but the scene takes " +
                          std::to_string(sample->parameters.size()) + ". Write " +
                          pattern_of(*sample) + ".");

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -21,7 +22,7 @@ float triangle_size(int count) {
     while (side * side * side < count) {
         ++side;
     }
-    return 1.5f / static_cast<float>(side);
+    return std::min(0.75f, 1.5f / static_cast<float>(side));
 }
 
 // A triangle without an area is thrown away and drawn again.

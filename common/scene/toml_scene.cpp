@@ -3,6 +3,7 @@
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
 #include "scene/load_obj.h"
+#include "scene/obj_findings.h"
 #include "scene/obj_numbers.h"
 #include "scene/sample_scenes.h"
 #include "scene/toml_transform.h"
@@ -50,7 +51,7 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
     const fs::path path = fs::absolute(folder / given);
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        throw toml_error(path_node->source(), "there is no file \"" + given + "\" in \"" +
+        throw toml_error(path_node->source(), "there is no file " + in_quotes(given) + " in \"" +
                                                   folder.string() + "\". Correct the path.");
     }
     const glm::mat4 transform = toml_transform(table);

@@ -1,6 +1,7 @@
 #include "scene/toml_values.h"
 
 #include "scene/nearest_word.h"
+#include "scene/obj_findings.h"
 
 #include <algorithm>
 #include <charconv>
@@ -43,9 +44,8 @@ void check_toml_keys(const toml::table& table, std::string_view place,
         }
         const std::string nearest(nearest_word(key.str(), known));
         const std::string hint = nearest.empty() ? "" : " Did you mean " + nearest + "?";
-        throw toml_error(key.source(), std::string(place) + " has no key \"" +
-                                           std::string(key.str()) + "\"." + hint + " It takes " +
-                                           names + ".");
+        throw toml_error(key.source(), std::string(place) + " has no key " + in_quotes(key.str()) +
+                                           "." + hint + " It takes " + names + ".");
     }
 }
 
