@@ -19,16 +19,17 @@ inline std::array<glm::vec3, 3> corners_of(int triangle, std::span<const glm::ve
 }
 
 // How far rounding can move a barycentric coordinate, near the triangle, of a test that first moves
-// the origin of space to the ray's and then takes the sides of the three edges (Plücker, or
-// Woop's). Let e be the unit roundoff, v the farthest corner seen from the origin, s the longest
-// edge. A moved corner is wrong by e |v| a coordinate; projecting it adds two products and a
-// difference, together at most 6 e |v| |d|. A side is the cross product of two such corners, which
-// near the triangle are at most s |d| from the ray: its error is at most 2 * sqrt(2) * 6 e |v| |d|
-// * s |d|, and 3 e s |v| |d|^2 for its own rounding: 20 e |v| s |d|^2. It is divided by the
-// determinant, times the longest component of the direction, which is at least |d| / sqrt(3): 35 e
-// |v| s |d| / |det|. The sum that it is divided by carries three such errors, each weighed by a
-// coordinate of at most 1: all in all less than 35 * 4 e |v| s |d| / |det|. 128 is the next power
-// of two below 140, and so we take 256.
+// the origin of space to the ray's and then takes the sides of the three edges (Plücker or Woop).
+// Let e be the unit roundoff, v the farthest corner seen from the origin, s the longest edge.
+//   A moved corner is wrong by e |v| a coordinate; projecting it along d adds two products and a
+//     difference: 6 e |v| |d|.
+//   A side is the cross product of two such corners, which near the triangle are at most s |d| from
+//     the ray: 2 sqrt(2) 6 e |v| s |d|^2, and 3 e |v| s |d|^2 for its own rounding: 20 in place
+//     of 6.
+//   It is divided by the determinant times the longest component of d, at least |d| / sqrt(3):
+//     35 e |v| s |d| / |determinant|.
+//   The sum that it is divided by has three such errors, each weighed by a coordinate of at most 1:
+//     140 e |v| s |d| / |determinant|, rounded up to a power of two.
 inline double rounding_bound(const Ray& ray, const std::array<glm::vec3, 3>& corners,
                              double unit_roundoff) {
     const glm::dvec3 direction(ray.direction);
