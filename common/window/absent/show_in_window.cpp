@@ -1,0 +1,13 @@
+#include "window/show_in_window.h"
+
+#include "error/error.h"
+
+namespace raysteps {
+
+void show_in_window(WindowContext&, const Camera&, const std::filesystem::path&,
+                    const RenderPicture&) {
+    throw MachineError("window: this program was built without GLFW. Install the package "
+                       "libglfw3-dev, configure with -DRAYSTEPS_WINDOW=ON and build again.");
+}
+
+} // namespace raysteps

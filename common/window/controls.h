@@ -1,0 +1,41 @@
+#pragma once
+
+#include "scene/camera.h"
+#include "window/mouse.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+
+namespace raysteps {
+
+// What the person at the window wants, as told by the events so far. Events come while another
+// library runs, which no exception may cross: so they only change these values, and the window's
+// loop carries out what is asked.
+struct Controls {
+    Camera start;
+    Camera camera;
+    glm::dvec2 window_size{1.0};
+    glm::dvec2 cursor{0.0};
+    std::optional<Button> held; // the button that drags
+    Motion motion = Motion::none;
+    bool help = false;
+    bool close = false;
+    // Asked for, and taken back by the loop once it is done: what the camera saw when S or C was
+    // pressed, since more events may have come before the loop looks.
+    std::optional<Camera> camera_to_save;
+    std::optional<Camera> camera_to_print;
+    bool must_redraw = true;
+};
+
+Controls start_controls(const Camera& start);
+
+Controls press_button(Controls controls, Button button, const Modifiers& modifiers);
+Controls release_button(Controls controls, Button button);
+Controls move_cursor(Controls controls, const glm::dvec2& place);
+Controls scroll(Controls controls, double notches);
+
+// The letter that is on the key, in lower case; others than those of the help are passed over.
+Controls press_key(Controls controls, char letter);
+
+} // namespace raysteps

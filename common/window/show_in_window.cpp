@@ -1,1 +1,0 @@
-#include "window/show_in_window.h"
