@@ -88,6 +88,10 @@ TEST_CASE("pictures of two sizes and a threshold that separates nothing are erro
     CHECK(error_of([&] { difference(a, Image(3, 2), 0.0f); }).find("2 x 3") != std::string::npos);
     CHECK(error_of([&] { difference(Image(), Image(), 0.0f); }).find("no pixel") !=
           std::string::npos);
+    Image too_few = a;
+    too_few.pixels.pop_back();
+    CHECK(error_of([&] { difference(too_few, a, 0.0f); }).find("first") != std::string::npos);
+    CHECK(error_of([&] { difference(a, too_few, 0.0f); }).find("second") != std::string::npos);
     for (const float threshold : {-1.0f, infinity, not_a_number}) {
         CHECK(error_of([&] { difference(a, a, threshold); }).find("threshold") !=
               std::string::npos);
