@@ -15,9 +15,9 @@ using namespace raysteps;
 
 namespace {
 
-// 1.0f is 3f800000, 0.5f is 3f000000, -2.0f is c0000000.
+// 1.0f is 3f800000, 3.14159274f is 40490fdb (four different bytes), -2.0f is c0000000.
 const std::string two_pixels("PF\n2 1\n-1.0\n"
-                             "\0\0\x80\x3f\0\0\0\0\0\0\0\x3f"
+                             "\0\0\x80\x3f\0\0\0\0\xdb\x0f\x49\x40"
                              "\0\0\0\xc0\0\0\x80\x3f\0\0\x80\x3f",
                              36);
 
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> bits_of(const Image& image) {
 TEST_CASE("a PFM file of two pixels has exactly the known bytes", "[image]") {
     const ScratchFolder folder("pfm_known");
     Image image(2, 1);
-    image.at(0, 0) = {1.0f, 0.0f, 0.5f};
+    image.at(0, 0) = {1.0f, 0.0f, 3.14159274f};
     image.at(1, 0) = {-2.0f, 1.0f, 1.0f};
     write_pfm(folder / "two.pfm", image);
     CHECK(bytes_of(folder / "two.pfm") == two_pixels);
