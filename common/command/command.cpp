@@ -12,7 +12,9 @@ namespace raysteps {
 
 namespace {
 
-int exit_code(ExitCode code) { return static_cast<int>(code); }
+int exit_code(ExitCode code) {
+    return static_cast<int>(code);
+}
 
 int fail(const Command& command, ExitCode code, const std::string& sentence) {
     std::cerr << command.chapter << ": " << sentence << "\n";
@@ -115,7 +117,8 @@ Scene open_scene(const Command& command) {
         std::cerr << message << "\n";
     }
     std::cout << "scene     " << scene.name << ", " << triangle_count(scene) << " triangles, "
-              << scene.materials.size() << (scene.materials.size() == 1 ? " material, " : " materials, ")
+              << scene.materials.size()
+              << (scene.materials.size() == 1 ? " material, " : " materials, ")
               << scene.lights.size() << (scene.lights.size() == 1 ? " light\n" : " lights\n");
     return scene;
 }

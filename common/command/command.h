@@ -13,16 +13,16 @@ namespace raysteps {
 
 // What a person asks of a chapter's program, with the options that all chapters share.
 struct Command {
-    std::string chapter; // 02_triangles
-    std::string scene;
+    std::string chapter{}; // 02_triangles
+    std::string scene{};
     std::string size = "512x512";
-    std::string camera;
+    std::string camera{};
     std::string context = "auto";
     std::string triangle = "watertight";
-    std::filesystem::path out;
-    std::filesystem::path json;
-    std::filesystem::path rays;
-    std::filesystem::path hits;
+    std::filesystem::path out{};
+    std::filesystem::path json{};
+    std::filesystem::path rays{};
+    std::filesystem::path hits{};
     bool window = false;
     bool print_scene = false;
     bool list_scenes = false;
@@ -38,8 +38,8 @@ void add_common_options(CLI::App& app, Command& command);
 // --triangle --rays --hits, of the chapters that trace.
 void add_tracing_options(CLI::App& app, Command& command);
 
-// Reads the command line and runs the body. An Error, or whatever else goes wrong, becomes one sentence on
-// standard error and the exit code of the program.
+// Reads the command line and runs the body. An Error, or whatever else goes wrong, becomes one
+// sentence on standard error and the exit code of the program.
 int run_command(CLI::App& app, Command& command, int argc, char** argv,
                 const std::function<void()>& body);
 

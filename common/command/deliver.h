@@ -10,9 +10,9 @@
 
 namespace raysteps {
 
-// With --window: shows the picture in the window, rendering it anew as the camera moves, until the window
-// is closed. Else renders it once, writes NAME.png (sRGB) and NAME.pfm (linear floats) to the
-// folder of --out, and says so.
+// With --window: shows the picture in the window, rendering it anew as the camera moves, until the
+// window is closed. Else renders it once, writes NAME.png (sRGB) and NAME.pfm (linear floats) to
+// the folder of --out, and says so.
 void deliver(const Command& command, Context& context, const Camera& camera,
              const std::string& name, const RenderPicture& render);
 

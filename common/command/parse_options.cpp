@@ -45,7 +45,8 @@ PictureSize parse_size(const std::string& text) {
     const auto height = parse_number<int>(words.back());
     const auto fits = [](int side) { return side >= 1 && side <= largest_side; };
     if (words.size() > 2 || !width || !height || !fits(*width) || !fits(*height)) {
-        throw InputError("--size " + text + ": a size is WIDTHxHEIGHT, as in 640x480, each from 1 to " +
+        throw InputError("--size " + text +
+                         ": a size is WIDTHxHEIGHT, as in 640x480, each from 1 to " +
                          std::to_string(largest_side) + ".");
     }
     return {*width, *height};

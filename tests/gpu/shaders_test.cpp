@@ -91,7 +91,7 @@ TEST_CASE("the compiler of this machine names the line of the part that is wrong
     });
     CAPTURE(sentence);
     CHECK_THAT(sentence, starts_with_text("The shader pass/trace.frag does not compile"));
-    CHECK_THAT(sentence, contains_text("geometry/exhibit_paper_as_printed.glsl:29:"));
+    CHECK_THAT(sentence, contains_text("geometry/exhibit_paper_as_printed.glsl:30:"));
 }
 
 TEST_CASE("every program that can be composed compiles and links", "[gpu]") {

@@ -1,0 +1,113 @@
+#include "exhibit.h"
+
+#include "command/deliver.h"
+#include "command/progress.h"
+#include "error/error.h"
+#include "gpu/shader_catalog.h"
+#include "image/side_by_side.h"
+#include "reference/brute_force.h"
+#include "render/generate_rays.h"
+#include "render/show_hits.h"
+#include "render/trace_rays.h"
+
+#include <iostream>
+
+namespace raysteps {
+
+namespace {
+
+// Small pictures, so that a row of them can be seen at once.
+constexpr int side = 256;
+
+struct Exhibit {
+    std::string triangle;
+    std::string caption;
+};
+
+const std::vector<Exhibit> exhibits{
+    {"paper_wrong_depth", "slip 3: t from the vertex"},
+    {"paper_repaired", "slip 5: no culling"},
+    {"paper_culling", "slip 6: back faces culled"},
+    {"paper_two_sided", "slip 7: 1e-6, two-sided"},
+    {"moeller_trumbore", "no epsilon"},
+    {"watertight", "watertight"},
+};
+
+Scene scaled(Scene scene, float factor) {
+    for (glm::vec3& corner : scene.corners) {
+        corner *= factor;
+    }
+    scene.camera.eye *= factor;
+    scene.camera.target *= factor;
+    return scene;
+}
+
+// The part of the pixels, in percent, where the triangle is not the reference's, in double.
+double percent_wrong(std::span<const Hit> hits, std::span<const ReferenceHit> expected) {
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        wrong += hits[i].triangle == expected[i].triangle ? 0 : 1;
+    }
+    return 100.0 * static_cast<double>(wrong) / static_cast<double>(expected.size());
+}
+
+// One row of the exhibit: the scene, traced by each test.
+Image show_row(const Scene& scene, const Limits& limits, const std::string& size,
+               nlohmann::ordered_json& numbers) {
+    const SceneTextures textures = upload(scene);
+    const RayTextures rays = generate_rays(scene.camera, side, side, RayGeneration::direct);
+    const std::vector<ReferenceHit> expected = nearest_hits(read_rays(rays), scene.corners);
+    std::vector<Image> images;
+    std::vector<std::string> captions;
+    for (const Exhibit& exhibit : exhibits) {
+        TraceRays trace({{"triangle", find_part("triangle", exhibit.triangle)}}, limits);
+        trace.report_progress(show_progress(exhibit.triangle));
+        const Texture hits = trace.closest_hits(rays, textures);
+        const double wrong = percent_wrong(read_hits(hits), expected);
+        images.push_back(
+            show_hits(rays, hits, textures, scene.camera, scene.background, "normals"));
+        char text[128];
+        std::snprintf(text, sizeof text, "%s, %s: %.3g %% of pixels wrong", exhibit.caption.c_str(),
+                      size.c_str(), wrong);
+        captions.emplace_back(text);
+        std::cout << text << "\n" << std::flush;
+        numbers.push_back(
+            {{"triangle", exhibit.triangle}, {"size", size}, {"percent_wrong", wrong}});
+    }
+    return side_by_side(images, captions);
+}
+
+std::string refusal_of_compiler() {
+    try {
+        TraceRays({{"triangle", "geometry/exhibit_paper_as_printed.glsl"}}, 1);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "the compiler of this machine takes it";
+}
+
+Image stack(const Image& upper, const Image& lower) {
+    Image image(std::max(upper.width, lower.width), upper.height + lower.height);
+    for (int row = 0; row < image.height; ++row) {
+        const Image& source = row < upper.height ? upper : lower;
+        const int source_row = row < upper.height ? row : row - upper.height;
+        for (int column = 0; column < source.width; ++column) {
+            image.at(column, row) = source.at(column, source_row);
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+void show_exhibit(const Command& command, const Scene& scene) {
+    const Limits limits = measure_limits();
+    std::cout << "as printed: " << refusal_of_compiler();
+    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    const Image own_size = show_row(scene, limits, "own size", numbers);
+    const Image small = show_row(scaled(scene, 0.001f), limits, "a thousandth", numbers);
+    deliver_picture(command, stack(own_size, small), "exhibit");
+    deliver_numbers(command, numbers);
+}
+
+} // namespace raysteps

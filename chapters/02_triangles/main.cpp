@@ -1,0 +1,44 @@
+// Chapter 02: the loop over every triangle.
+#include "command/command.h"
+#include "command/deliver.h"
+#include "exhibit.h"
+#include "render/generate_rays.h"
+#include "render/show_hits.h"
+#include "trace_loop.h"
+
+using namespace raysteps;
+
+int main(int argc, char** argv) {
+    CLI::App app("Chapter 02: rays and triangles, one by one.");
+    Command command{.chapter = "02_triangles", .scene = "compact"};
+    std::string view = "normals";
+    bool exhibit = false;
+    add_common_options(app, command);
+    add_tracing_options(app, command);
+    app.add_option("--view", view, "normals, facets, depth, triangles or barycentric")
+        ->capture_default_str();
+    app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
+    return run_command(app, command, argc, argv, [&] {
+        const Parts parts = trace_parts(command);
+        const Scene scene = open_scene(command);
+        const auto context = open_context(command);
+        if (exhibit) {
+            show_exhibit(command, scene);
+            return;
+        }
+        const SceneTextures textures = upload(scene);
+        TraceLoop loop(command, parts, textures);
+        if (!command.rays.empty()) {
+            loop.trace_ray_file();
+            return;
+        }
+        deliver(command, *context, scene.camera, picture_name(command) + "_" + view,
+                [&](const Camera& camera, int width, int height) {
+                    const RayTextures rays =
+                        generate_rays(camera, width, height, RayGeneration::direct);
+                    const Texture hits = loop.closest_hits(rays);
+                    return show_hits(rays, hits, textures, camera, scene.background, view);
+                });
+        loop.report();
+    });
+}
