@@ -22,5 +22,5 @@ while IFS= read -r -d '' file; do
     cat "$file.formatted" >"$file"
     rm "$file.formatted"
   fi
-done < <(git ls-files -z -co --exclude-standard -- '*.cpp' '*.h' '*.glsl' '*.frag' '*.vert')
+done < <(find chapters common shaders tests \( -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.frag' -o -name '*.vert' \) -print0)
 exit $status

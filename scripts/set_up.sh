@@ -1,0 +1,68 @@
+# What run.sh and test.sh share: installs what is missing, and moves to the project's folder. Sourced by both.
+#
+#   set_up run|test [--no-install]
+#
+# Asks nothing. With --no-install it only lists what is missing.
+
+# What the programs are built from, and the model that they render.
+packages_to_run=(
+  g++ cmake ninja-build pkg-config
+  libglm-dev libosmesa6-dev libegl-dev libglfw3-dev python3-glad khronos-api
+  libegl-mesa0 libgl1-mesa-dri
+  libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libstb-dev
+  libboost-dev glmark2-data
+)
+
+# What the tests need on top: their libraries, a display without a screen, a checker of shaders, and clang with
+# its runtime, which fuzzes the loader.
+packages_to_test=(
+  catch2 librapidcheck-dev libembree-dev
+  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools
+  clang libclang-rt-dev clang-format
+)
+
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+set_up() {
+  local packages=("${packages_to_run[@]}") missing=() package administrator=()
+  if [ "$1" = test ]; then
+    packages+=("${packages_to_test[@]}")
+  fi
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "set-up: this system has no apt. If the build stops, install what these Debian packages hold:" >&2
+    echo "  ${packages[*]}" >&2
+    return 0
+  fi
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return 0
+  fi
+  if [ "${2:-}" = --no-install ]; then
+    echo "set-up: these packages are missing:"
+    echo "  apt-get install --no-install-recommends ${missing[*]}"
+    exit 3
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "set-up: only root may install packages, and there is no sudo. Have this run, and start again:" >&2
+      echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+      exit 3
+    fi
+    administrator=(sudo)
+  fi
+  echo "set-up: installing ${missing[*]}"
+  local log
+  log=$(mktemp)
+  if ! { "${administrator[@]}" apt-get update -q &&
+    "${administrator[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y -q --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
+    tail -n 5 "$log" >&2
+    echo "set-up: the packages could not be installed; the whole log is in $log." >&2
+    exit 3
+  fi
+  rm -f "$log"
+}
