@@ -35,7 +35,7 @@ const std::array<HelpLine, 9>& help_lines() {
 }
 
 constexpr int margin = 16;
-constexpr int gap = 28;    // between the columns
+constexpr int gap = 24;    // between the columns
 constexpr int leading = 4; // between the lines
 
 // Linear: light letters on a dark ground, which is pleasant over any picture.

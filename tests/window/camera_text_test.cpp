@@ -1,0 +1,45 @@
+#include "window/camera_text.h"
+
+#include "cameras.h"
+#include "catch.h"
+#include "command/parse_options.h"
+#include "window/trackball.h"
+
+using namespace raysteps;
+
+namespace {
+
+const std::string option = "--camera ";
+
+// What a person copies: the numbers of the first line.
+std::string numbers_of(const std::string& text) {
+    return text.substr(option.size(), text.find('\n') - option.size());
+}
+
+} // namespace
+
+TEST_CASE("a camera is printed as the option takes it", "[window]") {
+    const Camera camera{{3.0f, 2.5f, -8.0f}, {1.0f, 0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 35.0f};
+    CHECK(camera_text(camera, {0.0f, 1.0f, 0.0f}) == "--camera 3,2.5,-8,1,0.1,0,35");
+}
+
+TEST_CASE("a tilted camera says so and how to keep it", "[window]") {
+    const std::string text = camera_text(roll(Camera{}, 0.5), {0.0f, 1.0f, 0.0f});
+    CHECK_THAT(text, starts_with_text("--camera 0,0,5,0,0,0,40\n"));
+    CHECK_THAT(text, contains_text("up = [0.47942555, 0.87758255, 0]"));
+}
+
+TEST_CASE("an orbit to the side alone is no tilt", "[window]") {
+    const std::string text = camera_text(orbit(Camera{}, {0.3, 0.0}), {0.0f, 1.0f, 0.0f});
+    CHECK(text.find('\n') == std::string::npos);
+}
+
+TEST_CASE("the option that is printed gives the same camera again", "[window]") {
+    REQUIRE(rc::check("round trip", [] {
+        const Camera camera = random_camera();
+        const Camera read = parse_camera(numbers_of(camera_text(camera, camera.up)), camera);
+        RC_ASSERT(read.eye == camera.eye);
+        RC_ASSERT(read.target == camera.target);
+        RC_ASSERT(read.vertical_field_of_view == camera.vertical_field_of_view);
+    }));
+}
