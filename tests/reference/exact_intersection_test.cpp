@@ -1,6 +1,7 @@
 #include "reference/exact_intersection.h"
 
 #include "catch.h"
+#include "reference/exact_solution.h"
 #include "unit_triangle.h"
 
 #include <cmath>
@@ -17,17 +18,29 @@ TEST_CASE("a ray down onto the unit triangle has the t and u and v that the hand
     CHECK(inside.v == 0.5);
     CHECK(inside.margin == 0.25);
 
-    const ExactIntersection outside = exact_intersection(down_at(-0.5f, 2.0f), unit_triangle);
+    const ExactIntersection outside = exact_intersection(down_at(-0.5f, 0.125f), unit_triangle);
     CHECK_FALSE(outside.hit);
     CHECK(outside.t == 2.0);
     CHECK(outside.u == -0.5);
-    CHECK(outside.v == 2.0);
-    CHECK(outside.margin == 0.5);
+    CHECK(outside.v == 0.125);
+    CHECK(outside.margin == 0.5); // from the edge that it is outside of, not from the nearest one
 }
 
 TEST_CASE("t is the double nearest to one third", "[reference][exact]") {
     const Ray ray{{0.25f, 0.25f, 1.0f}, {0.0f, 0.0f, -3.0f}, 0.0f, infinity};
     CHECK(exact_intersection(ray, unit_triangle).t == 1.0 / 3.0);
+}
+
+TEST_CASE("a fraction just beside the middle of two doubles goes to the nearer one",
+          "[reference][exact]") {
+    // Over 2^53 doubles are 2 apart. The middle itself goes to the even one.
+    const Integer low = Integer(1) << 53;
+    const Integer denominator = Integer(1) << 60;
+    const Integer middle = (low + 1) * denominator;
+    CHECK(nearest_double({middle, denominator}) == 9007199254740992.0);
+    CHECK(nearest_double({middle + 1, denominator}) == 9007199254740994.0);
+    CHECK(nearest_double({middle - 1, denominator}) == 9007199254740992.0);
+    CHECK(nearest_double({-middle - 1, denominator}) == -9007199254740994.0);
 }
 
 TEST_CASE("the edges and the corners belong to the triangle", "[reference][exact]") {

@@ -2,8 +2,11 @@
 
 #include "error/error.h"
 
+#include <glm/trigonometric.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 using namespace raysteps;
 
@@ -46,16 +49,21 @@ TEST_CASE("a surface never shadows itself however far out and however grazing th
 
 TEST_CASE("only pixels beside an edge are sensitive to where their ray goes",
           "[reference][whitted]") {
+    const glm::vec3 side =
+        GENERATE(glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, -1, 0));
+    CAPTURE(side.x, side.y);
     Scene scene = empty_scene();
     scene.background = glm::vec3(1.0f);
-    // Its left edge passes 2^-10 pixels right of the middle of column 8 of 17.
-    const float pixel = 2.0f * 5.0f * std::tan(20.0f * 3.14159265f / 180.0f) / 17.0f;
-    const float left = pixel / 1024.0f;
-    add_triangle(scene, {{left, -50, 0}, {left, 50, 0}, {90, 0, 0}}, {0, 0, 1},
+    // All to one side of the middle of the picture, from 2^-10 pixels on. The eye is 5 away.
+    const float pixel = 2.0f * 5.0f * std::tan(glm::radians(20.0f)) / 17.0f;
+    const glm::vec3 along(side.y, side.x, 0.0f);
+    const glm::vec3 start = side * (pixel / 1024.0f);
+    add_triangle(scene, {start - 50.0f * along, start + 50.0f * along, 90.0f * side}, {0, 0, 1},
                  shining_material(glm::vec3(0.0f)));
     const std::vector<double> sensitivity = whitted_sensitivity(scene, 17, 17, 0, 1.0 / 256.0);
-    for (std::size_t i = 0; i < sensitivity.size(); ++i) {
-        REQUIRE(sensitivity[i] == (i % 17 == 8 ? 1.0 : 0.0));
+    for (int i = 0; i < 17 * 17; ++i) {
+        const int across = side.x != 0.0f ? i % 17 : i / 17;
+        REQUIRE(sensitivity[static_cast<std::size_t>(i)] == (across == 8 ? 1.0 : 0.0));
     }
     for (const double change : whitted_sensitivity(scene, 17, 17, 0, 1.0 / 4096.0)) {
         REQUIRE(change == 0.0);
