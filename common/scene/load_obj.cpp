@@ -106,6 +106,7 @@ std::vector<Material> read_clean_mtl(const std::string& text) {
     if (!text.empty()) // tinyobjloader makes a material of nothing
         tinyobj::LoadMtl(&index_of_name, &sources, &stream, &warning, &error);
     std::vector<Material> materials;
+    materials.reserve(sources.size());
     for (const tinyobj::material_t& source : sources)
         materials.push_back(to_material(source));
     return materials;

@@ -16,7 +16,7 @@ std::optional<std::filesystem::path> path_inside(const std::filesystem::path& in
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     const std::filesystem::path named(slashed);
-    if (named.empty() || named.is_absolute())
+    if (named.empty())
         return std::nullopt;
     const std::filesystem::path path = (from / named).lexically_normal();
 

@@ -48,6 +48,7 @@ std::vector<PolygonTriangle> triangulate_polygon(std::span<const glm::vec3> corn
     if (different.size() < 3)
         return {};
     std::vector<glm::vec3> polygon;
+    polygon.reserve(different.size());
     for (const int corner : different)
         polygon.push_back(corners[corner]);
 

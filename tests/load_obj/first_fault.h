@@ -64,7 +64,7 @@ inline std::string first_fault(const raysteps::Scene& scene) {
         if (material < 0 || material >= static_cast<int>(scene.materials.size()))
             return "a material index is out of range";
     for (const raysteps::Material& material : scene.materials)
-        if (const std::string fault = first_fault(material); !fault.empty())
+        if (std::string fault = first_fault(material); !fault.empty())
             return fault;
     for (const std::string& message : scene.messages)
         if (message.empty() || message.back() != '.')

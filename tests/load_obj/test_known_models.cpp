@@ -5,7 +5,7 @@
 
 #include "catch.h"
 
-#include <chrono>
+#include <ctime>
 
 using namespace raysteps;
 
@@ -122,14 +122,11 @@ TEST_CASE("the bunny has 69666 triangles and loads in well under 2 seconds", "[o
         WARN("the package glmark2-data is not installed");
         return;
     }
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const Scene scene = load_obj(bunny);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     CHECK(triangle_count(scene) == 69666);
     CHECK(first_fault(scene).empty());
-#ifdef NDEBUG
-    CHECK(seconds.count() < 2.0);
-#endif
-    CAPTURE(seconds.count());
+    CHECK(seconds < 2.0);
     CHECK_THAT(joined(scene.messages), Catch::Contains("every triangle is flat"));
 }

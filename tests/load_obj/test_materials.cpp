@@ -140,6 +140,14 @@ TEST_CASE("folders and pipes and files over the limit are no material files", "[
     CHECK_THAT(messages, Catch::Contains("a.obj:4: ") && Catch::Contains("is a folder"));
 }
 
+TEST_CASE("a material file without a material makes none", "[mtl]") {
+    const Scene scene = load_obj(corpus_file("library_empty.obj"));
+    REQUIRE(scene.materials.size() == 1);
+    CHECK(scene.materials[0].name == "default");
+    CHECK_THAT(joined(scene.messages),
+               Catch::Contains("empty.mtl:1: A line before the first newmtl"));
+}
+
 TEST_CASE("a name with spaces is one material file where there is such a file", "[mtl]") {
     CHECK(load_obj(corpus_file("library_with_spaces.obj")).materials.at(0).name == "spaced");
 }
