@@ -21,8 +21,8 @@ Mesh tiles(int remainder) {
             if ((row + column) % 2 != remainder) {
                 continue;
             }
-            const float left = static_cast<float>(column - columns / 2);
-            const float back = static_cast<float>(row - rows / 2);
+            const float left = static_cast<float>(column) - 0.5f * columns;
+            const float back = static_cast<float>(row) - 0.5f * rows;
             mesh = join(std::move(mesh),
                         quad({left, 0.0f, back + 1.0f}, {left + 1.0f, 0.0f, back + 1.0f},
                              {left + 1.0f, 0.0f, back}, {left, 0.0f, back}));

@@ -33,6 +33,7 @@ std::vector<Ball> balls_on(const Ball& ball) {
         return std::cos(angle) * x + std::sin(angle) * z;
     };
     std::vector<glm::dvec3> directions;
+    directions.reserve(9);
     for (int i = 0; i < 6; ++i) {
         directions.push_back(around(60.0 * i));
     }

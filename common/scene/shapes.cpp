@@ -43,6 +43,7 @@ constexpr std::array<int, 60> icosahedron_faces = {
 std::vector<glm::vec3> unit_icosahedron() {
     const std::array<glm::vec3, 12> corners = icosahedron_corners();
     std::vector<glm::vec3> triangles;
+    triangles.reserve(icosahedron_faces.size());
     for (const int index : icosahedron_faces) {
         triangles.push_back(corners[static_cast<std::size_t>(index)]);
     }

@@ -64,10 +64,10 @@ glm::dmat3 rotation(const toml::node& node) {
 glm::mat4 whole_matrix(const toml::node& node) {
     const std::vector<double> rows = toml_numbers(node, "matrix", 16, any_coordinate);
     glm::mat4 matrix;
+    auto number = rows.begin();
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
-            matrix[column][row] =
-                static_cast<float>(rows[static_cast<std::size_t>(4 * row + column)]);
+            matrix[column][row] = static_cast<float>(*number++);
         }
     }
     const glm::vec4 last_row{matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]};

@@ -40,12 +40,14 @@ void check_toml_keys(const toml::table& table, std::string_view place,
         }
         std::string names;
         for (const std::string_view name : known) {
-            names += (names.empty() ? "" : ", ") + std::string(name);
+            names += names.empty() ? "" : ", ";
+            names += name;
         }
         const std::string nearest(nearest_word(key.str(), known));
-        const std::string hint = nearest.empty() ? "" : " Did you mean " + nearest + "?";
-        throw toml_error(key.source(), std::string(place) + " has no key " + in_quotes(key.str()) +
-                                           "." + hint + " It takes " + names + ".");
+        std::string sentence = std::string(place) + " has no key " + in_quotes(key.str()) + ".";
+        sentence += nearest.empty() ? "" : " Did you mean " + nearest + "?";
+        sentence += " It takes " + names + ".";
+        throw toml_error(key.source(), sentence);
     }
 }
 

@@ -21,9 +21,9 @@ Mesh closed_tube(const std::vector<TubeSection>& sections, double radius, int si
     }
     Mesh mesh;
     const auto add_corner = [&](int ring, int side) {
-        const auto index = static_cast<std::size_t>(ring % rings * sides + side % sides);
-        mesh.corners.push_back(points.corners[index]);
-        mesh.normals.push_back(points.normals[index]);
+        const int index = ring % rings * sides + side % sides;
+        mesh.corners.push_back(points.corners[static_cast<std::size_t>(index)]);
+        mesh.normals.push_back(points.normals[static_cast<std::size_t>(index)]);
     };
     for (int ring = 0; ring < rings; ++ring) {
         for (int side = 0; side < sides; ++side) {

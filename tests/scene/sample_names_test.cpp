@@ -74,7 +74,9 @@ TEST_CASE("the nearest word is found by letters added or removed or changed", "[
     REQUIRE(nearest_word("camera", words) == "camera");
     REQUIRE(nearest_word("lights", words) == "light");
     REQUIRE(nearest_word("ligth", words) == "light");
+    REQUIRE(nearest_word("lightss", words) == "light");
     REQUIRE(nearest_word("mdel", words) == "model");
+    REQUIRE(nearest_word("mdl", words) == "model");
     REQUIRE(nearest_word("radiosity", words).empty());
     REQUIRE(nearest_word("", words).empty());
 }

@@ -145,6 +145,14 @@ TEST_CASE("the text of a bare model reads back to the same scene", "[scene][toml
     REQUIRE(same_bits(read_back(scene), scene));
 }
 
+TEST_CASE("the path of a model is absolute so that the text may be saved anywhere",
+          "[scene][toml]") {
+    const std::filesystem::path relative = std::filesystem::relative(folder / "pyramid.obj");
+    const Scene scene = load_scene(relative.string(), 1.5f);
+    REQUIRE(std::filesystem::path(scene.models[0].path).is_absolute());
+    REQUIRE(same_bits(read_back(scene), scene));
+}
+
 TEST_CASE("the text of a scene file's scene reads back to the same scene", "[scene][toml]") {
     const Scene scene = load_scene((folder / "two_pyramids.toml").string(), 1.5f);
     REQUIRE(same_bits(read_back(scene), scene));
