@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// The files of a source tree as text: what the rules of the architecture are checked on. Paths are
+// relative to the tree's root, with slashes.
+
+// The regular files in the folders, sorted; with a name that ends in one of the endings, or all
+// where none is given.
+std::vector<std::string> list_files(const std::filesystem::path& root,
+                                    const std::vector<std::string>& folders,
+                                    const std::vector<std::string>& endings = {});
+
+// The names of the folders in the folder that hold a CMakeLists.txt, sorted.
+std::vector<std::string> list_targets(const std::filesystem::path& root, const std::string& folder);
+
+// A file's lines, without the `//` comments of C++ and GLSL. Line n is at n - 1.
+std::vector<std::string> code_lines(const std::filesystem::path& file);
+
+// An #include of C++: `"scene/scene.h"` is quoted, `<vector>` is not.
+struct Include {
+    std::string name;
+    bool quoted = false;
+    int line = 0;
+};
+
+std::vector<Include> includes_of(const std::filesystem::path& file);
+
+// The words that stand after a keyword in the first call of a command in a CMake file, up to the
+// next word in capitals. Empty where there is no such call or keyword.
+std::vector<std::string> words_of_call(const std::filesystem::path& file,
+                                       const std::string& command, const std::string& keyword);
+
+// `FILE:LINE: what`, the form of every fault.
+std::string fault_at(const std::string& file, int line, const std::string& what);
+
+// One fault a line, for a test to compare with nothing.
+std::string join_lines(const std::vector<std::string>& lines);
