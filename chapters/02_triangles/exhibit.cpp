@@ -4,6 +4,7 @@
 #include "command/progress.h"
 #include "error/error.h"
 #include "gpu/shader_catalog.h"
+#include "image/compose.h"
 #include "image/side_by_side.h"
 #include "reference/brute_force.h"
 #include "render/generate_rays.h"
@@ -26,9 +27,9 @@ struct Exhibit {
 
 const std::vector<Exhibit> exhibits{
     {"paper_wrong_depth", "slip 3: t from the vertex"},
-    {"paper_repaired", "slip 5: no culling"},
-    {"paper_culling", "slip 6: back faces culled"},
-    {"paper_two_sided", "slip 7: 1e-6, two-sided"},
+    {"paper_repaired", "slip 5: det is not asked"},
+    {"paper_culling", "slip 6: det > 1e-6"},
+    {"paper_two_sided", "slip 7: |det| > 1e-6"},
     {"moeller_trumbore", "no epsilon"},
     {"watertight", "watertight"},
 };
@@ -84,18 +85,6 @@ std::string refusal_of_compiler() {
         return error.what();
     }
     return "the compiler of this machine takes it";
-}
-
-Image stack(const Image& upper, const Image& lower) {
-    Image image(std::max(upper.width, lower.width), upper.height + lower.height);
-    for (int row = 0; row < image.height; ++row) {
-        const Image& source = row < upper.height ? upper : lower;
-        const int source_row = row < upper.height ? row : row - upper.height;
-        for (int column = 0; column < source.width; ++column) {
-            image.at(column, row) = source.at(column, source_row);
-        }
-    }
-    return image;
 }
 
 } // namespace

@@ -10,7 +10,7 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     CLI::App app("Chapter 02: rays and triangles, one by one.");
-    Command command{.chapter = "02_triangles", .scene = "compact"};
+    Command command{.chapter = "02_triangles", .scene = "knot:2"};
     std::string view = "normals";
     bool exhibit = false;
     add_common_options(app, command);

@@ -1,0 +1,119 @@
+#include "catch.h"
+#include "mirror/every_triangle.h"
+#include "mirror/mirror_scene.h"
+#include "scene/shapes.h"
+#include "support/mirror_hits.h"
+#include "support/soup.h"
+
+#include <glm/geometric.hpp>
+
+#include <iostream>
+
+using namespace raysteps;
+
+namespace {
+
+using Mirror = mirror::EveryTriangleWatertight<float>;
+
+glm::vec3 point_on_sphere(RandomNumbers& numbers) {
+    while (true) {
+        const glm::vec3 point = numbers.in_cube();
+        const float squared = glm::dot(point, point);
+        if (squared <= 1.0f && squared > 0.01f) {
+            return point / std::sqrt(squared);
+        }
+    }
+}
+
+struct Outcome {
+    long rehits = 0;
+    double farthest = 0.0; // how far origins moved, in sizes of the triangle
+};
+
+// Triangles of that size at that distance from the world's origin, hit from anywhere; from each hit
+// a ray leaves in any direction on the same side, and must not meet its own triangle.
+Outcome leave(RandomNumbers& numbers, float size, float offset, int count) {
+    Outcome outcome;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 place = offset * point_on_sphere(numbers);
+        Mesh mesh;
+        for (int corner = 0; corner < 3; ++corner) {
+            mesh.corners.push_back(place + size * point_on_sphere(numbers));
+        }
+        mesh.normals.resize(3, {0.0f, 0.0f, 1.0f});
+        Scene scene;
+        scene.corners = mesh.corners;
+        scene.normals = mesh.normals;
+        scene.triangle_materials = {0};
+        scene.materials.resize(1);
+        const mirror::SceneBuffers buffers(scene);
+        Mirror mirror = mirror::mirror_of<Mirror>(buffers);
+
+        const glm::vec3 inside = (mesh.corners[0] + mesh.corners[1] + mesh.corners[2]) / 3.0f;
+        const glm::vec3 eye = inside + 3.0f * size * point_on_sphere(numbers);
+        const auto ray = mirror::to_mirror<Mirror>({eye, inside - eye, 0.0f, no_end});
+        const auto hit = mirror.closest_hit(ray);
+        if (!mirror.is_hit(hit)) {
+            continue;
+        }
+        const auto surface = mirror.surface_at(ray, hit);
+        glm::vec3 direction = point_on_sphere(numbers);
+        if (glm::dot(direction, surface.geometric_normal) < 0.0f) {
+            direction = -direction;
+        }
+        const auto leaving = mirror::to_mirror<Mirror>({surface.origin, direction, 0.0f, no_end});
+        outcome.rehits += mirror.is_hit(mirror.closest_hit(leaving)) ? 1 : 0;
+        const double moved = static_cast<double>(
+            mirror.leaving_distance(mesh.corners[0], mesh.corners[1], mesh.corners[2]));
+        outcome.farthest = std::max(outcome.farthest, moved / static_cast<double>(size));
+    }
+    return outcome;
+}
+
+} // namespace
+
+TEST_CASE("a ray that leaves a triangle does not hit it again", "[03][hard_case]") {
+    const int seed = 9;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const int count = 250000;
+    for (const auto& [size, offset] :
+         {std::pair{1.0f, 0.0f}, {1.0f, 1e3f}, {1e-3f, 0.0f}, {1.0f, 1e5f}}) {
+        CAPTURE(size, offset);
+        const Outcome outcome = leave(numbers, size, offset, count);
+        std::cout << "03: triangles of size " << size << " at " << offset << ": " << outcome.rehits
+                  << " of " << count << " rays hit their own again; origins moved by up to "
+                  << outcome.farthest << " sizes\n";
+        CHECK(outcome.rehits == 0);
+    }
+}
+
+TEST_CASE("a surface close behind another is still hit", "[03][hard_case]") {
+    // Two spheres of radius 1 and 1.00004: a ray that leaves the inner one outwards meets the outer
+    // one.
+    const Mesh inner = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 8);
+    const Mesh outer = sphere({0.0f, 0.0f, 0.0f}, 1.00004f, 8);
+    const Scene both = add_mesh(add_mesh(Scene{}, inner, Material{}), outer, Material{});
+    const Scene one = add_mesh(Scene{}, inner, Material{});
+    const mirror::SceneBuffers buffers(both);
+    const mirror::SceneBuffers buffers_of_one(one);
+    Mirror mirror = mirror::mirror_of<Mirror>(buffers);
+    Mirror mirror_of_one = mirror::mirror_of<Mirror>(buffers_of_one);
+    const int inner_triangles = static_cast<int>(inner.corners.size() / 3);
+    const int seed = 10;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    for (int i = 0; i < 2000; ++i) {
+        // Onto the outside of the inner sphere, as a mirror between the two would see it.
+        const glm::vec3 outside = 3.0f * point_on_sphere(numbers);
+        const auto ray = mirror::to_mirror<Mirror>({outside, -outside, 0.0f, no_end});
+        const auto hit = mirror_of_one.closest_hit(ray);
+        REQUIRE(mirror.is_hit(hit));
+        const auto surface = mirror_of_one.surface_at(ray, hit);
+        const auto leaving =
+            mirror::to_mirror<Mirror>({surface.origin, surface.geometric_normal, 0.0f, no_end});
+        const auto second = mirror.closest_hit(leaving);
+        CAPTURE(i);
+        REQUIRE(second.triangle >= inner_triangles);
+    }
+}
