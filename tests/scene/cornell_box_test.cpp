@@ -36,8 +36,7 @@ TEST_CASE("the Cornell box is seen through a lens of 35 mm on a film of 25 mm", 
 
 TEST_CASE("the left wall of the Cornell box is red and the right one green", "[scene]") {
     const Scene scene = sample_cornell_box();
-    for (int i = 0; i < triangle_count(scene); ++i) {
-        const auto first = static_cast<std::size_t>(3 * i);
+    for (std::size_t first = 0; first < scene.corners.size(); first += 3) {
         const Material& material =
             scene.materials[static_cast<std::size_t>(scene.triangle_materials[first / 3])];
         // Who looks along +z has -x on the right.

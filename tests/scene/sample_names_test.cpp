@@ -29,10 +29,11 @@ TEST_CASE("a parameter out of its range is refused with the range", "[scene]") {
 }
 
 TEST_CASE("a parameter that is no whole number is refused", "[scene]") {
-    const std::string range = "knot:SIZE: SIZE is a whole number from 1 to 64, not ";
     for (const std::string text : {"", "x", "2x", "2.5", " 2", "+2", "0x2", "nan"}) {
         CAPTURE(text);
-        REQUIRE(complaint_about("knot:" + text) == range + "\"" + text + "\".");
+        std::string expected = "knot:SIZE: SIZE is a whole number from 1 to 64, not \"";
+        expected += text + "\".";
+        REQUIRE(complaint_about("knot:" + text) == expected);
     }
 }
 
