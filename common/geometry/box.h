@@ -7,7 +7,8 @@
 
 namespace raysteps {
 
-// An axis-aligned box, closed on every side. The default is the empty box: merging it changes nothing.
+// An axis-aligned box, closed on every side. The default is the empty box: merging it changes
+// nothing.
 struct Box {
     glm::vec3 lower{+std::numeric_limits<float>::infinity()};
     glm::vec3 upper{-std::numeric_limits<float>::infinity()};

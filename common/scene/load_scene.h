@@ -6,8 +6,8 @@
 
 namespace raysteps {
 
-// Loads what --scene names: a sample scene (`cornell_box`, `sphereflake:3`), `bunny`, or the path of
-// an .obj or .toml file. The aspect ratio (width / height) lets the camera frame a bare model.
+// Loads what --scene names: a sample scene (`cornell_box`, `sphereflake:3`), `bunny`, or the path
+// of an .obj or .toml file. The aspect ratio (width / height) lets the camera frame a bare model.
 // Throws InputError with file and line where it cannot be used.
 Scene load_scene(const std::string& name, float aspect_ratio);
 
