@@ -1,0 +1,7 @@
+// The normal of the triangle's own plane as a colour: every triangle shows.
+
+vec3 color_of_hit(Ray ray, Hit hit) {
+    Surface surface = surface_at(ray, hit);
+    float facing = abs(dot(vec3(surface.geometric_normal), normalize(vec3(ray.direction))));
+    return color_of_direction(vec3(surface.geometric_normal)) * (0.25f + 0.75f * facing);
+}
