@@ -65,11 +65,12 @@ TEST_CASE("every file is compiled without contraction", "[architecture]") {
     REQUIRE(stream.good());
     const nlohmann::json commands = nlohmann::json::parse(stream);
     REQUIRE(commands.size() > 100);
-    std::string faults;
+    const std::vector<std::string> none;
+    std::vector<std::string> contracted;
     for (const nlohmann::json& command : commands) {
         if (!forbids_contraction(words_of(command.at("command")))) {
-            faults += command.at("file").get<std::string>() + "\n";
+            contracted.push_back(command.at("file"));
         }
     }
-    CHECK(faults == "");
+    CHECK(contracted == none);
 }

@@ -11,28 +11,6 @@ namespace {
 
 const std::vector<std::string> cpp_endings{".h", ".cpp", ".inc"};
 
-// A package's headers, and where they may be included.
-struct PackageRule {
-    std::string header; // how the name begins
-    std::vector<std::string> places;
-};
-
-const std::vector<PackageRule> package_rules{
-    {"glad/", {"common/gpu/gl.h"}},
-    {"GL/", {"common/gpu/context/osmesa.cpp"}},
-    {"EGL/", {"common/gpu/context/egl.cpp"}},
-    {"GLFW/", {"common/gpu/context/window.cpp", "common/window/glfw/"}},
-    {"tiny_obj_loader.h", {"common/scene/load_obj.cpp"}},
-    {"toml++/", {"common/scene/toml_"}},
-    {"stb_", {"common/image/"}},
-    {"CLI/", {"common/command/"}},
-    {"nlohmann/", {"common/command/", "tests/"}},
-    {"boost/", {"common/reference/", "tests/"}},
-    {"embree", {"tests/"}},
-    {"rapidcheck", {"tests/"}},
-    {"catch2/", {"tests/catch.h"}},
-};
-
 std::string first_folder(const std::string& path) {
     return path.substr(0, path.find('/'));
 }
@@ -65,27 +43,36 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool begins_with_any(const std::string& text, const std::vector<std::string>& beginnings) {
-    return std::any_of(beginnings.begin(), beginnings.end(),
-                       [&](const std::string& beginning) { return text.starts_with(beginning); });
-}
-
 // Why `from` may not include `to`; empty where it may.
 std::string objection(const std::string& from, const std::string& to) {
+    const std::string fact = "includes " + to + ": ";
     const std::string origin = first_folder(from);
     const std::string target = first_folder(to);
     if (origin == "tests" || target == origin) {
         const bool other_chapter =
             origin == "chapters" && fs::path(from).parent_path() != fs::path(to).parent_path();
-        return other_chapter ? "a chapter includes nothing of another" : "";
+        return other_chapter ? fact + "a chapter includes nothing of another." : "";
     }
     if (target == "tests" || target == "chapters") {
-        return "nothing includes " + target + "/ but " + target + "/ itself";
+        return fact + "nothing includes " + target + "/ but " + target + "/ itself.";
     }
     if (target == "shaders" && module_of(from) != "geometry" && module_of(from) != "mirror") {
-        return "shaders are C++ only in common/geometry and common/mirror";
+        return fact + "shaders are C++ only in common/geometry and common/mirror.";
     }
     return "";
+}
+
+std::string undeclared_use(const std::string& module, const std::string& used) {
+    return module + " includes " + used + ", but its add_module does not name it in USES.";
+}
+
+std::string dead_use(const std::string& module, const std::string& used) {
+    return "common/" + module + "/CMakeLists.txt: USES names " + used + ", which no file of " +
+           module + " includes.";
+}
+
+std::string unknown_file(const std::string& name) {
+    return "\"" + name + "\" is no file of ours. Name packages as <...>.";
 }
 
 } // namespace
@@ -97,9 +84,7 @@ std::vector<std::string> find_undeclared_uses(const fs::path& root) {
         for (const Include& include : includes_of(root / file)) {
             const std::string used = module_of(find_included(root, file, include.name));
             if (!used.empty() && used != module && !contains(uses_of(root, module), used)) {
-                faults.push_back(fault_at(file, include.line,
-                                          module + " includes " + used +
-                                              ", but its add_module does not name it in USES."));
+                faults.push_back(fault_at(file, include.line, undeclared_use(module, used)));
             }
         }
     }
@@ -117,8 +102,7 @@ std::vector<std::string> find_dead_uses(const fs::path& root) {
         }
         for (const std::string& used : uses_of(root, module)) {
             if (!included.contains(used)) {
-                faults.push_back("common/" + module + "/CMakeLists.txt: USES names " + used +
-                                 ", which no file of " + module + " includes.");
+                faults.push_back(dead_use(module, used));
             }
         }
     }
@@ -142,24 +126,7 @@ std::vector<std::string> find_includes_against_the_arrow(const fs::path& root) {
             }
             const std::string why_not = objection(file, included);
             if (!why_not.empty()) {
-                faults.push_back(
-                    fault_at(file, include.line, "includes " + included + ": " + why_not + "."));
-            }
-        }
-    }
-    return faults;
-}
-
-std::vector<std::string> find_scattered_packages(const fs::path& root) {
-    std::vector<std::string> faults;
-    for (const std::string& file : list_files(root, {"common", "chapters", "tests"}, cpp_endings)) {
-        for (const Include& include : includes_of(root / file)) {
-            for (const PackageRule& rule : package_rules) {
-                if (include.name.starts_with(rule.header) && !begins_with_any(file, rule.places)) {
-                    faults.push_back(fault_at(file, include.line,
-                                              "<" + include.name + "> is for " +
-                                                  rule.places.front() + " to include."));
-                }
+                faults.push_back(fault_at(file, include.line, why_not));
             }
         }
     }

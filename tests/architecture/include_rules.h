@@ -16,6 +16,3 @@ std::vector<std::string> find_dead_uses(const std::filesystem::path& root);
 // common/ knows nothing of chapters/ and tests/, a chapter nothing of tests/ and other chapters,
 // and shaders are C++ only in the modules geometry and mirror, and in tests.
 std::vector<std::string> find_includes_against_the_arrow(const std::filesystem::path& root);
-
-// Each package is known in one place.
-std::vector<std::string> find_scattered_packages(const std::filesystem::path& root);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 #include <filesystem>
 #include <string>

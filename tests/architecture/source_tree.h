@@ -36,5 +36,7 @@ std::vector<std::string> words_of_call(const std::filesystem::path& file,
 // `FILE:LINE: what`, the form of every fault.
 std::string fault_at(const std::string& file, int line, const std::string& what);
 
-// One fault a line, for a test to compare with nothing.
+inline const std::vector<std::string> no_faults{};
+
+// One a line, as a test spells them out.
 std::string join_lines(const std::vector<std::string>& lines);
