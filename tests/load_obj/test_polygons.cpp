@@ -99,6 +99,10 @@ Polygon spiral(int corners) {
     return outside;
 }
 
+// The five polygons of 20,000 corners below were measured at 0.6 s together in optimised code, and at
+// 4 s in that of the preset `fuzz`, whose checks slow it down. This is the limit for each of them.
+constexpr double most_seconds = 3.0;
+
 // Of this program's own time, so that others on the machine do not count.
 double seconds_for(const Polygon& polygon) {
     const std::clock_t start = std::clock();
@@ -170,12 +174,12 @@ TEST_CASE("stars and combs and spirals are covered once", "[polygon]") {
     check_covers(spiral(1000), 998);
 }
 
-TEST_CASE("a polygon of 20000 corners is cut in well under a second", "[polygon]") {
-    CHECK(seconds_for(star(20000, 1.0f)) < 1.0);
-    CHECK(seconds_for(star(20000, 0.5f)) < 1.0);
-    CHECK(seconds_for(star(20000, 0.99999f)) < 1.0);
-    CHECK(seconds_for(comb(10000)) < 1.0);
-    CHECK(seconds_for(spiral(20000)) < 1.0);
+TEST_CASE("a polygon of 20000 corners is cut in a moment", "[polygon]") {
+    CHECK(seconds_for(star(20000, 1.0f)) < most_seconds);
+    CHECK(seconds_for(star(20000, 0.5f)) < most_seconds);
+    CHECK(seconds_for(star(20000, 0.99999f)) < most_seconds);
+    CHECK(seconds_for(comb(10000)) < most_seconds);
+    CHECK(seconds_for(spiral(20000)) < most_seconds);
 }
 
 TEST_CASE("a polygon of 20000 corners at random places ends in a few seconds", "[polygon]") {
@@ -186,7 +190,7 @@ TEST_CASE("a polygon of 20000 corners at random places ends in a few seconds", "
     Polygon polygon;
     for (int i = 0; i < 20000; ++i)
         polygon.emplace_back(coordinate(random), coordinate(random), 0.0f);
-    CHECK(seconds_for(polygon) < 5.0);
+    CHECK(seconds_for(polygon) < 5.0 * most_seconds);
 }
 
 TEST_CASE("a polygon around a point is covered once in any plane", "[polygon]") {
