@@ -99,8 +99,9 @@ Polygon spiral(int corners) {
     return outside;
 }
 
-// The five polygons of 20,000 corners below were measured at 0.6 s together in optimised code, and at
-// 4 s in that of the preset `fuzz`, whose checks slow it down. This is the limit for each of them.
+// The five polygons of 20,000 corners below were measured at 0.6 s together in optimised code, and
+// at 4 s in that of the preset `fuzz`, whose checks slow it down. This is the limit for each of
+// them.
 constexpr double most_seconds = 3.0;
 
 // Of this program's own time, so that others on the machine do not count.
