@@ -9,7 +9,11 @@ inline auto contains_text(const std::string& text) {
 }
 #else
 #include <catch2/catch.hpp>
-inline auto contains_text(const std::string& text) { return Catch::Matchers::Contains(text); }
+inline auto contains_text(const std::string& text) {
+    return Catch::Matchers::Contains(text);
+}
 #endif
 
-inline auto starts_with_text(const std::string& text) { return Catch::Matchers::StartsWith(text); }
+inline auto starts_with_text(const std::string& text) {
+    return Catch::Matchers::StartsWith(text);
+}

@@ -66,7 +66,7 @@ Image show_row(const Scene& scene, const Limits& limits, const std::string& size
         const Texture hits = trace.closest_hits(rays, textures);
         const double wrong = percent_wrong(read_hits(hits), expected);
         images.push_back(
-            show_hits(rays, hits, textures, scene.camera, scene.background, "normals"));
+            show_hits(rays, hits, textures, scene.camera, scene.background, "view/normals.glsl"));
         char text[128];
         std::snprintf(text, sizeof text, "%s, %s: %.3g %% of pixels wrong", exhibit.caption.c_str(),
                       size.c_str(), wrong);

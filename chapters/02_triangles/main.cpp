@@ -1,10 +1,11 @@
 // Chapter 02: the loop over every triangle.
 #include "command/command.h"
 #include "command/deliver.h"
+#include "command/timed_trace.h"
 #include "exhibit.h"
+#include "gpu/shader_catalog.h"
 #include "render/generate_rays.h"
 #include "render/show_hits.h"
-#include "trace_loop.h"
 
 using namespace raysteps;
 
@@ -20,25 +21,26 @@ int main(int argc, char** argv) {
     app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
     return run_command(app, command, argc, argv, [&] {
         const Parts parts = trace_parts(command);
+        const std::string view_part = find_part("view", view);
         const Scene scene = open_scene(command);
         const auto context = open_context(command);
         if (exhibit) {
             show_exhibit(command, scene);
             return;
         }
-        const SceneTextures textures = upload(scene);
-        TraceLoop loop(command, parts, textures);
         if (!command.rays.empty()) {
-            loop.trace_ray_file();
+            trace_ray_file(command, parts, scene);
             return;
         }
+        const SceneTextures textures = upload(scene);
+        TimedTrace trace(command, parts, textures);
         deliver(command, *context, scene.camera, picture_name(command) + "_" + view,
                 [&](const Camera& camera, int width, int height) {
                     const RayTextures rays =
                         generate_rays(camera, width, height, RayGeneration::direct);
-                    const Texture hits = loop.closest_hits(rays);
-                    return show_hits(rays, hits, textures, camera, scene.background, view);
+                    const Texture hits = trace.closest_hits(rays);
+                    return show_hits(rays, hits, textures, camera, scene.background, view_part);
                 });
-        loop.report();
+        trace.report();
     });
 }

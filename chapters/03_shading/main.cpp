@@ -2,8 +2,7 @@
 #include "command/command.h"
 #include "command/deliver.h"
 #include "command/progress.h"
-#include "error/error.h"
-#include "gpu/shader_catalog.h"
+#include "command/timed_trace.h"
 #include "render/whitted_renderer.h"
 
 #include <chrono>
@@ -22,9 +21,13 @@ int main(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0, 1000));
     return run_command(app, command, argc, argv, [&] {
-        const Parts parts{{"triangle", find_part("triangle", command.triangle)}};
+        const Parts parts = trace_parts(command);
         const Scene scene = open_scene(command);
         const auto context = open_context(command);
+        if (!command.rays.empty()) {
+            trace_ray_file(command, parts, scene);
+            return;
+        }
         WhittedRenderer renderer(scene, parts, measure_limits());
         renderer.report_progress(show_progress("tracing"));
         double seconds = 0.0;

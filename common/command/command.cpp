@@ -47,13 +47,16 @@ bool answer_questions(const Command& command) {
 
 void add_common_options(CLI::App& app, Command& command) {
     command.out = std::filesystem::path("out") / command.chapter;
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("--scene", command.scene,
                    "an .obj or .toml file, or the name of a scene (see --list-scenes)")
         ->capture_default_str();
     app.add_option("--size", command.size, "of the picture in pixels, as in 640x480")
         ->capture_default_str();
-    app.add_option("--camera", command.camera,
-                   "eye x,y,z, target x,y,z and perhaps the vertical field of view in degrees");
+    app.add_option(
+        "--camera", command.camera,
+        "eye x,y,z, target x,y,z, and perhaps the vertical field of view in degrees, and "
+        "up x,y,z");
     app.add_option("--out", command.out, "the folder that the pictures go to")
         ->capture_default_str();
     app.add_option("--json", command.json, "a file for the measured numbers");

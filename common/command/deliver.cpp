@@ -1,7 +1,7 @@
 #include "command/deliver.h"
 
 #include "error/error.h"
-#include "image/write_file.h"
+#include "file/write_file.h"
 #include "image/write_pfm.h"
 #include "image/write_png.h"
 

@@ -1,9 +1,9 @@
 #include "image/write_pfm.h"
 
 #include "error/error.h"
+#include "file/read_file.h"
 #include "image/check_image.h"
 #include "image/pfm_header.h"
-#include "image/read_file.h"
 
 #include <bit>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include "image/write_png.h"
 
 #include "error/error.h"
+#include "file/read_file.h"
 #include "image/check_image.h"
 #include "image/color_space.h"
-#include "image/read_file.h"
 
 #include <stb_image.h>
 

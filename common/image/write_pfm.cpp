@@ -1,7 +1,7 @@
 #include "image/write_pfm.h"
 
+#include "file/write_file.h"
 #include "image/check_image.h"
-#include "image/write_file.h"
 
 #include <bit>
 #include <cstdint>

@@ -1,10 +1,10 @@
 #include "image/write_png.h"
 
 #include "error/error.h"
+#include "file/write_file.h"
 #include "image/check_image.h"
 #include "image/color_space.h"
 #include "image/count_nan_pixels.h"
-#include "image/write_file.h"
 
 #include <stb_image_write.h>
 

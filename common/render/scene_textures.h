@@ -6,7 +6,7 @@
 namespace raysteps {
 
 // A scene as the kernels read it. Only upload knows both sides: layout/triangles.glsl and
-// layout/surface.glsl say what lies where.
+// layout/surfaces.glsl say what lies where.
 struct SceneTextures {
     int triangle_count = 0;
     BufferTexture corners;            // three texels a triangle

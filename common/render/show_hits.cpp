@@ -1,7 +1,6 @@
 #include "render/show_hits.h"
 
 #include "gpu/draw.h"
-#include "gpu/shader_catalog.h"
 #include "render/picture.h"
 
 #include <glm/geometric.hpp>
@@ -9,8 +8,8 @@
 namespace raysteps {
 
 Image show_hits(const RayTextures& rays, const Texture& hits, const SceneTextures& scene,
-                const Camera& camera, const glm::vec3& background, const std::string& view) {
-    Program program("pass/show_hits.frag", {{"view", find_part("view", view)}});
+                const Camera& camera, const glm::vec3& background, const std::string& view_part) {
+    Program program("pass/show_hits.frag", {{"view", view_part}});
     program.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("hits", hits)

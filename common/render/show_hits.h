@@ -9,9 +9,9 @@
 
 namespace raysteps {
 
-// A picture of hits without any light. The view names a part of shaders/view: normals, facets,
-// depth, triangles, barycentric. Throws InputError where there is no such view.
+// A picture of hits without any light. The part is a file of shaders/view: how a hit gets its
+// colour.
 Image show_hits(const RayTextures& rays, const Texture& hits, const SceneTextures& scene,
-                const Camera& camera, const glm::vec3& background, const std::string& view);
+                const Camera& camera, const glm::vec3& background, const std::string& view_part);
 
 } // namespace raysteps

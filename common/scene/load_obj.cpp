@@ -1,13 +1,14 @@
 #include "scene/load_obj.h"
 
 #include "error/error.h"
+#include "file/read_file.h"
+#include "scene/check_is_text.h"
 #include "scene/mtl_clean.h"
 #include "scene/mtl_files.h"
 #include "scene/mtl_picture.h"
 #include "scene/obj_paths.h"
 #include "scene/obj_reading.h"
 #include "scene/obj_scene.h"
-#include "scene/read_text_file.h"
 
 #include <tiny_obj_loader.h>
 
@@ -154,7 +155,7 @@ auto guarded(const std::filesystem::path& path, const Step& step) {
 } // namespace
 
 Scene load_obj(const std::filesystem::path& path) {
-    return guarded(path, [&] { return read_scene(read_text_file(path, most_obj_bytes), path); });
+    return guarded(path, [&] { return read_scene(read_file(path, most_obj_bytes), path); });
 }
 
 Scene parse_obj(std::string_view text, const std::filesystem::path& path) {

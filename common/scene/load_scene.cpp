@@ -1,10 +1,10 @@
 #include "scene/load_scene.h"
 
 #include "error/error.h"
+#include "file/read_file.h"
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
 #include "scene/load_obj.h"
-#include "scene/read_text_file.h"
 #include "scene/sample_scenes.h"
 #include "scene/toml_scene.h"
 
@@ -50,7 +50,7 @@ Scene load_scene(const std::string& name, float aspect_ratio) {
         return load_bare_obj(path, aspect_ratio);
     }
     if (extension == ".toml") {
-        return read_toml_scene(read_text_file(path, most_toml_bytes), path, aspect_ratio);
+        return read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio);
     }
     std::error_code error;
     if (fs::exists(path, error)) {

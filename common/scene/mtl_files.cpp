@@ -1,9 +1,10 @@
 #include "scene/mtl_files.h"
 
 #include "error/error.h"
+#include "file/read_file.h"
+#include "scene/check_is_text.h"
 #include "scene/obj_lines.h"
 #include "scene/obj_paths.h"
-#include "scene/read_text_file.h"
 
 #include <optional>
 #include <set>
@@ -30,7 +31,7 @@ struct Outcome {
 
 Outcome read_mtl_file(const std::filesystem::path& path) {
     try {
-        Outcome outcome{read_text_file(path, most_mtl_bytes), ""};
+        Outcome outcome{read_file(path, most_mtl_bytes), ""};
         check_is_text(outcome.text, path);
         return outcome;
     } catch (const InputError& error) {

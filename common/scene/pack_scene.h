@@ -10,7 +10,7 @@
 namespace raysteps {
 
 // The texels that the kernels and their mirror read, as layout/triangles.glsl and
-// layout/surface.glsl say. The fourth number of a texel is 0 where nothing is said of it.
+// layout/surfaces.glsl say. The fourth number of a texel is 0 where nothing is said of it.
 std::vector<glm::vec4> pack_vectors(std::span<const glm::vec3> vectors);
 
 // Three texels a material: diffuse; specular, and 1 in w where it is a mirror; emission.

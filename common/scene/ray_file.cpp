@@ -1,9 +1,9 @@
 #include "scene/ray_file.h"
 
 #include "error/error.h"
-#include "image/write_file.h"
+#include "file/read_file.h"
+#include "file/write_file.h"
 #include "scene/ray_csv.h"
-#include "scene/read_text_file.h"
 
 #include <bit>
 #include <cmath>
@@ -62,7 +62,7 @@ void append_csv(std::string& text, const Hit& hit) {
 } // namespace
 
 std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
-    const std::string bytes = read_text_file(path, most_bytes);
+    const std::string bytes = read_file(path, most_bytes);
     std::vector<Ray> rays = is_csv(path) ? parse_ray_csv(bytes, path) : parse_binary(bytes, path);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         check(rays[i], i, path);

@@ -1,6 +1,7 @@
 #include "scene/view.h"
 
-#include <glm/geometric.hpp>
+#include "scene/view_frame.h"
+
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
@@ -9,9 +10,8 @@ namespace raysteps {
 
 View view_of(const Camera& camera, double aspect_ratio) {
     const glm::dvec3 eye(camera.eye);
-    const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-    const glm::dvec3 up = glm::cross(right, forward);
+    const auto [right, up, forward] =
+        view_frame(glm::dvec3(camera.target) - eye, glm::dvec3(camera.up));
     const double half_height =
         std::tan(glm::radians(static_cast<double>(camera.vertical_field_of_view)) / 2.0);
     const double half_width = half_height * aspect_ratio;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <charconv>
-#include <initializer_list>
 
 namespace raysteps {
 
@@ -19,12 +18,10 @@ std::string shortest(float number) {
     return {text.data(), end};
 }
 
-std::string join(std::initializer_list<float> numbers, const std::string& separator) {
-    std::string text;
-    for (const float number : numbers) {
-        text += (text.empty() ? "" : separator) + shortest(number);
+void append(std::string& text, const glm::vec3& point) {
+    for (const float number : {point.x, point.y, point.z}) {
+        text += (text.empty() ? "" : ",") + shortest(number);
     }
-    return text;
 }
 
 // Whether up and the scene's up, seen from the eye, point apart.
@@ -39,16 +36,14 @@ bool is_tilted(const Camera& camera, const glm::vec3& scene_up) {
 } // namespace
 
 std::string camera_text(const Camera& camera, const glm::vec3& scene_up) {
-    const glm::vec3& eye = camera.eye;
-    const glm::vec3& target = camera.target;
-    std::string text = "--camera " + join({eye.x, eye.y, eye.z, target.x, target.y, target.z,
-                                           camera.vertical_field_of_view},
-                                          ",");
+    std::string numbers;
+    append(numbers, camera.eye);
+    append(numbers, camera.target);
+    numbers += "," + shortest(camera.vertical_field_of_view);
     if (is_tilted(camera, scene_up)) {
-        text += "\n          tilted: --camera leaves that out, a scene file keeps it with up = [" +
-                join({camera.up.x, camera.up.y, camera.up.z}, ", ") + "]";
+        append(numbers, camera.up);
     }
-    return text;
+    return "--camera " + numbers;
 }
 
 } // namespace raysteps

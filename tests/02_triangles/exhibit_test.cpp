@@ -71,6 +71,6 @@ TEST_CASE("the picture of chapter 02 is the expected one", "[02][picture]") {
     TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"}}, measure_limits());
     const RayTextures rays = generate_rays(scene.camera, 256, 256, RayGeneration::direct);
     const Image image = show_hits(rays, trace.closest_hits(rays, textures), textures, scene.camera,
-                                  scene.background, "normals");
+                                  scene.background, "view/normals.glsl");
     CHECK(unexpected_pixels(image, "02_triangles") == 0);
 }

@@ -1,7 +1,7 @@
 #include "image/difference.h"
 
-#include "error_of.h"
 #include "random_image.h"
+#include "support/error_of.h"
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 #include "image/heat_map.h"
 
 #include "count_ink.h"
-#include "error_of.h"
+#include "support/error_of.h"
 
 #include "image/color_map.h"
 #include "image/draw_legend.h"

@@ -1,6 +1,6 @@
 #include "image/heat_map_range.h"
 
-#include "error_of.h"
+#include "support/error_of.h"
 
 #include "catch.h"
 

@@ -1,8 +1,8 @@
 #include "image/write_pfm.h"
 
-#include "error_of.h"
 #include "random_image.h"
-#include "scratch_folder.h"
+#include "support/error_of.h"
+#include "support/scratch_folder.h"
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 #include "image/side_by_side.h"
 
 #include "count_ink.h"
-#include "error_of.h"
+#include "support/error_of.h"
 
 #include "image/compose.h"
 

@@ -1,4 +1,4 @@
-#include "image/write_file.h"
+#include "file/write_file.h"
 
 #include "error/error.h"
 

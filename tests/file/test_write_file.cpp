@@ -1,9 +1,9 @@
-#include "image/write_file.h"
+#include "file/write_file.h"
 
-#include "error_of.h"
-#include "scratch_folder.h"
+#include "support/error_of.h"
+#include "support/scratch_folder.h"
 
-#include "image/read_file.h"
+#include "file/read_file.h"
 
 #include "catch.h"
 
@@ -38,7 +38,7 @@ private:
 
 } // namespace
 
-TEST_CASE("a file is written with the folders that lack and replaces the old one", "[image]") {
+TEST_CASE("a file is written with the folders that lack and replaces the old one", "[file]") {
     const ScratchFolder folder("write");
     write_file(folder / "new/deep/file.txt", "one");
     CHECK(bytes_of(folder / "new/deep/file.txt") == "one");
@@ -46,7 +46,7 @@ TEST_CASE("a file is written with the folders that lack and replaces the old one
     CHECK(bytes_of(folder / "new/deep/file.txt") == "two");
 }
 
-TEST_CASE("a file's name may be as long as the system allows", "[image]") {
+TEST_CASE("a file's name may be as long as the system allows", "[file]") {
     const ScratchFolder folder("write_long_name");
     const std::string name(255, 'x');
     write_file(folder / name, "one");
@@ -54,7 +54,7 @@ TEST_CASE("a file's name may be as long as the system allows", "[image]") {
     CHECK(!error_of([&] { write_file(folder / (name + "x"), "one"); }).empty());
 }
 
-TEST_CASE("a write that fails leaves the old file and nothing else", "[image]") {
+TEST_CASE("a write that fails leaves the old file and nothing else", "[file]") {
     const ScratchFolder folder("write_full_disk");
     put_bytes(folder / "file.txt", "old");
     // The smaller one fits into the buffer of the C library, and fails only as the file is closed.
@@ -71,7 +71,7 @@ TEST_CASE("a write that fails leaves the old file and nothing else", "[image]") 
     CHECK(folder.file_count() == 1);
 }
 
-TEST_CASE("a path that cannot be a file is an error with the reason", "[image]") {
+TEST_CASE("a path that cannot be a file is an error with the reason", "[file]") {
     const ScratchFolder folder("write_paths");
     put_bytes(folder / "file.txt", "old");
     std::filesystem::create_directory(folder / "inside");
@@ -88,11 +88,11 @@ TEST_CASE("a path that cannot be a file is an error with the reason", "[image]")
     CHECK(folder.file_count() == 3);
 }
 
-TEST_CASE("a file over the limit is not read", "[image]") {
+TEST_CASE("a file over the limit is not read", "[file]") {
     const ScratchFolder folder("read_limit");
     put_bytes(folder / "file.txt", "four");
     CHECK(read_file(folder / "file.txt", 4) == "four");
-    CHECK(error_of([&] { read_file(folder / "file.txt", 3); }).find("over the limit of 3") !=
+    CHECK(error_of([&] { read_file(folder / "file.txt", 3); }).find("the limit is 3") !=
           std::string::npos);
     CHECK(error_of([] { read_file("/dev/zero", 3); }).find("device") != std::string::npos);
 }

@@ -8,15 +8,13 @@ namespace raysteps {
 // The parts that --triangle asks for. Throws InputError.
 Parts trace_parts(const Command& command);
 
-// The loop over every triangle, with a clock beside it.
-class TraceLoop {
+// Rays against a scene, with a clock beside them and progress on the terminal. The command and the
+// scene must outlive it.
+class TimedTrace {
 public:
-    TraceLoop(const Command& command, const Parts& parts, const SceneTextures& scene);
+    TimedTrace(const Command& command, const Parts& parts, const SceneTextures& scene);
 
     Texture closest_hits(const RayTextures& rays);
-
-    // Traces the file of --rays and writes that of --hits.
-    void trace_ray_file();
 
     // Prints how many tests a second the last trace made, and writes the numbers of --json.
     void report() const;
@@ -28,5 +26,8 @@ private:
     double tests_ = 0.0;
     double seconds_ = 0.0;
 };
+
+// Traces the file of --rays, writes that of --hits, and reports.
+void trace_ray_file(const Command& command, const Parts& parts, const Scene& scene);
 
 } // namespace raysteps

@@ -1,8 +1,7 @@
-#include "scene/read_text_file.h"
+#include "file/read_file.h"
 
 #include "error/error.h"
 
-#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -34,26 +33,16 @@ std::uintmax_t checked_size(const std::filesystem::path& path, std::uintmax_t mo
 
 } // namespace
 
-std::string read_text_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
     const std::uintmax_t size = checked_size(path, most_bytes);
     std::ifstream file(path, std::ios::binary);
     if (!file)
         throw InputError(path.string() + ": cannot be opened. Check its permissions.");
-    std::string text(static_cast<std::size_t>(size), '\0');
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    if (file.bad())
-        throw InputError(path.string() + ": cannot be read to its end. Check the disk.");
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    return text;
-}
-
-void check_is_text(std::string_view text, const std::filesystem::path& path) {
-    const std::size_t zero = text.find('\0');
-    if (zero == std::string_view::npos)
-        return;
-    const auto lines_before = std::count(text.begin(), text.begin() + zero, '\n');
-    throw InputError(path.string() + ":" + std::to_string(lines_before + 1) +
-                     ": holds a zero byte, so it is no plain text. Save it as UTF-8 text.");
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+        throw InputError(path.string() + ": ended after " + std::to_string(file.gcount()) + " of " +
+                         std::to_string(size) + " bytes. Try again when nothing else writes it.");
+    return bytes;
 }
 
 } // namespace raysteps

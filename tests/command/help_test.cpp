@@ -1,0 +1,46 @@
+#include "catch.h"
+#include "programs.h"
+
+namespace {
+
+void check_help(const std::string& chapter, const std::vector<std::string>& options) {
+    const Workplace workplace("help_" + chapter);
+    for (const std::string word : {"--help", "-h"}) {
+        const Outcome outcome = workplace.run(chapter, {word});
+        CAPTURE(chapter, word);
+        CHECK(outcome.exit_code == 0);
+        CHECK(outcome.errors.empty());
+        for (const std::string& option : options) {
+            CHECK_THAT(outcome.output, contains_text("  " + option + " "));
+        }
+    }
+    CHECK(workplace.list_files().empty());
+}
+
+const std::vector<std::string> common_options{"--scene",  "--size",        "--camera",
+                                              "--out",    "--json",        "--context",
+                                              "--window", "--print-scene", "--list-scenes"};
+
+std::vector<std::string> with(std::vector<std::string> options,
+                              const std::vector<std::string>& more) {
+    options.insert(options.end(), more.begin(), more.end());
+    return options;
+}
+
+} // namespace
+
+TEST_CASE("help names every option of every program", "[command]") {
+    const std::vector<std::string> tracing =
+        with(common_options, {"--triangle", "--rays", "--hits"});
+    check_help("01_rays", with(common_options, {"--generation"}));
+    check_help("02_triangles", with(tracing, {"--view", "--exhibit"}));
+    check_help("03_shading", with(tracing, {"--max-bounces"}));
+}
+
+TEST_CASE("of an option that is given twice the last counts", "[command]") {
+    const Workplace workplace("twice");
+    const Outcome outcome =
+        workplace.run("01_rays", {"--scene", "lost", "--scene", "cornell_box", "--print-scene"});
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.output, starts_with_text("sample = \"cornell_box\""));
+}

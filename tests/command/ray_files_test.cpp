@@ -1,0 +1,97 @@
+#include "catch.h"
+#include "programs.h"
+#include "ray_bytes.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace {
+
+struct HitNumbers {
+    float t;
+    float u;
+    float v;
+    std::int32_t triangle;
+
+    bool operator==(const HitNumbers&) const = default;
+};
+
+std::vector<HitNumbers> hits_of(const std::string& bytes) {
+    REQUIRE(bytes.size() % sizeof(HitNumbers) == 0);
+    std::vector<HitNumbers> hits(bytes.size() / sizeof(HitNumbers));
+    if (!hits.empty()) {
+        std::memcpy(hits.data(), bytes.data(), bytes.size());
+    }
+    return hits;
+}
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// Numbers whose products and quotients are exact, so the hits are known to the bit.
+const std::vector<RayNumbers> rays{
+    {0.25f, 0.5f, 1.0f, 0.0f, 0.0f, -1.0f, 0.0f, 100.0f},    // meets the upper triangle
+    {0.25f, 0.5f, 1.0f, 0.0f, 0.0f, -1.0f, 1.5f, infinity},  // begins behind it
+    {0.25f, 0.25f, 3.0f, 0.0f, 0.0f, -2.0f, 0.0f, infinity}, // its direction has length 2
+    {2.0f, 2.0f, 1.0f, 0.0f, 0.0f, -1.0f, 0.0f, 7.0f},       // passes by
+    {0.25f, 0.25f, 1.0f, 0.0f, 0.0f, -1.0f, 0.0f, 0.5f},     // ends before
+    {0.5f, 0.25f, -4.0f, 0.0f, 0.0f, 1.0f, 0.0f, infinity}}; // comes from below
+
+const std::vector<HitNumbers> known_hits{{1.0f, 0.25f, 0.5f, 0},  {2.0f, 0.25f, 0.5f, 1},
+                                         {1.5f, 0.25f, 0.25f, 0}, {7.0f, 0.0f, 0.0f, -1},
+                                         {0.5f, 0.0f, 0.0f, -1},  {3.0f, 0.5f, 0.25f, 1}};
+
+Outcome trace(const Workplace& workplace, const std::string& chapter, const std::string& rays_file,
+              const std::string& hits_file) {
+    return workplace.run(chapter, {"--scene", "two.obj", "--rays", rays_file, "--hits", hits_file});
+}
+
+} // namespace
+
+TEST_CASE("the rays of a binary file give the known hits", "[command]") {
+    const Workplace workplace("rays_good_binary");
+    workplace.write("two.obj", two_triangles);
+    workplace.write("rays.f32", ray_bytes(rays));
+    for (const std::string chapter : {"02_triangles", "03_shading"}) {
+        const Outcome outcome = trace(workplace, chapter, "rays.f32", "hits.f32");
+        CAPTURE(chapter, outcome.errors);
+        CHECK(outcome.exit_code == 0);
+        CHECK_THAT(outcome.output, contains_text("hits.f32, 6 hits\n"));
+        CHECK(hits_of(workplace.read("hits.f32")) == known_hits);
+    }
+}
+
+TEST_CASE("rays and hits as text agree with those in binary", "[command]") {
+    const Workplace workplace("rays_good_text");
+    workplace.write("two.obj", two_triangles);
+    workplace.write("rays.csv",
+                    "t_max,t_min,direction_x,direction_y,direction_z,origin_x,origin_y,origin_z\n"
+                    "100,0,0,0,-1,0.25,0.5,1\n"
+                    "inf,1.5,0,0,-1,0.25,0.5,1\r\n"
+                    "inf,0,0,0,-2,0.25,0.25,3\n"
+                    "\n"
+                    "7,0,0,0,-1,2,2,1\n"
+                    "0.5,0,0,0,-1,0.25,0.25,1\n"
+                    "inf,0,0,0,1,0.5,0.25,-4");
+    CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.f32").exit_code == 0);
+    CHECK(hits_of(workplace.read("hits.f32")) == known_hits);
+    CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.csv").exit_code == 0);
+    CHECK(workplace.read("hits.csv") == "t,u,v,triangle\n"
+                                        "1,0.25,0.5,0\n"
+                                        "2,0.25,0.5,1\n"
+                                        "1.5,0.25,0.25,0\n"
+                                        "7,0,0,-1\n"
+                                        "0.5,0,0,-1\n"
+                                        "3,0.5,0.25,1\n");
+}
+
+TEST_CASE("no rays give no hits", "[command]") {
+    const Workplace workplace("rays_none");
+    workplace.write("two.obj", two_triangles);
+    workplace.write("rays.f32", "");
+    workplace.write("rays.csv", "origin_x,origin_y,origin_z,direction_x,direction_y,direction_z,"
+                                "t_min,t_max\n");
+    CHECK(trace(workplace, "02_triangles", "rays.f32", "hits.f32").exit_code == 0);
+    CHECK(workplace.read("hits.f32").empty());
+    CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.csv").exit_code == 0);
+    CHECK(workplace.read("hits.csv") == "t,u,v,triangle\n");
+}

@@ -1,0 +1,43 @@
+#include "catch.h"
+#include "programs.h"
+#include "ray_bytes.h"
+
+TEST_CASE("a folder that cannot be made is refused and leaves no file", "[command][refusal]") {
+    const Workplace workplace("unwritable_out");
+    workplace.write("file", "a file where a folder is needed");
+    check_refusals(workplace, {"--scene", "cornell_box", "--size", "8x6", "--out", "file/pictures"},
+                   2, {"file/pictures/", "cannot be written", "Choose another path"});
+    CHECK(workplace.read("file") == "a file where a folder is needed");
+}
+
+TEST_CASE("numbers that cannot be written are refused and leave no partial file",
+          "[command][refusal]") {
+    const Workplace workplace("unwritable_json");
+    workplace.write("file", "");
+    std::filesystem::create_directory(workplace / "folder");
+    for (const std::string& chapter : chapters) {
+        for (const std::string json : {"file/numbers.json", "folder", "/dev/null"}) {
+            const std::vector<std::string> options{"--scene", "cornell_box", "--size", "8x6",
+                                                   "--out",   "pictures",    "--json", json};
+            workplace.run(chapter, options); // so that the pictures are no new files
+            check_refusal(workplace, chapter, options, 2, {json, "cannot be written"});
+        }
+    }
+}
+
+TEST_CASE("hits that cannot be written are refused", "[command][refusal]") {
+    const Workplace workplace("unwritable_hits");
+    workplace.write("file", "");
+    workplace.write("rays.f32", ray_bytes({{0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 1.0f}}));
+    check_refusal(workplace, "02_triangles",
+                  {"--scene", "cornell_box", "--rays", "rays.f32", "--hits", "file/hits.csv"}, 2,
+                  {"file/hits.csv", "cannot be written"});
+}
+
+// Exit code 3: the machine lacks something.
+
+TEST_CASE("a window without a display is refused with the exit code 3", "[command][refusal]") {
+    const Workplace workplace("no_display");
+    check_refusals(workplace, {"--scene", "cornell_box", "--window"}, 3, {"window: "});
+    check_refusals(workplace, {"--scene", "cornell_box", "--context", "window"}, 3, {"window: "});
+}
