@@ -33,7 +33,7 @@ TEST_CASE("every file of the corpus ends in a sound scene or in a sentence that 
             const Scene scene = load_obj(file);
             CHECK(first_fault(scene).empty());
         } catch (const InputError& error) {
-            CHECK_THAT(error.what(), Catch::Contains(file.filename().string() + ":"));
+            CHECK_THAT(error.what(), contains_text(file.filename().string() + ":"));
             CHECK(std::string(error.what()).back() == '.');
         }
     }
@@ -48,7 +48,7 @@ TEST_CASE("every file of the corpus cut short anywhere still ends in one of the 
             const Scene scene = parse_obj(text.substr(0, length), corpus_file("short.obj"));
             CHECK(first_fault(scene).empty());
         } catch (const InputError& error) {
-            CHECK_THAT(error.what(), Catch::Contains("short.obj:"));
+            CHECK_THAT(error.what(), contains_text("short.obj:"));
         }
     }
 }

@@ -33,10 +33,9 @@ TEST_CASE("an index that is no index is an error with its line", "[obj]") {
          {"index_beyond_32_bits.obj", "index_beyond_64_bits.obj", "index_zero.obj",
           "index_not_a_number.obj", "index_missing.obj", "index_with_four_parts.obj"}) {
         CAPTURE(name);
-        CHECK_THAT(error_of(corpus_file(name)), Catch::Contains(":4: face has the corner \""));
+        CHECK_THAT(error_of(corpus_file(name)), contains_text(":4: face has the corner \""));
     }
-    CHECK_THAT(error_of(corpus_file("index_beyond_32_bits.obj")),
-               Catch::Contains("\"4294967297\""));
+    CHECK_THAT(error_of(corpus_file("index_beyond_32_bits.obj")), contains_text("\"4294967297\""));
 }
 
 TEST_CASE("a coordinate that is no usable number is an error with its line", "[obj]") {
@@ -75,10 +74,10 @@ TEST_CASE("folders and pipes and devices and missing files are errors", "[obj]")
     ModelFolder folder("kinds_of_files");
     const std::filesystem::path pipe = folder.path() / "pipe.obj";
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-    CHECK_THAT(error_of(folder.path()), Catch::Contains("is a folder, not a file"));
-    CHECK_THAT(error_of(pipe), Catch::Contains("pipe.obj: is a device or a pipe"));
-    CHECK_THAT(error_of("/dev/zero"), Catch::Contains("/dev/zero: is a device or a pipe"));
-    CHECK_THAT(error_of(folder.path() / "gone.obj"), Catch::Contains("there is no such file"));
+    CHECK_THAT(error_of(folder.path()), contains_text("is a folder, not a file"));
+    CHECK_THAT(error_of(pipe), contains_text("pipe.obj: is a device or a pipe"));
+    CHECK_THAT(error_of("/dev/zero"), contains_text("/dev/zero: is a device or a pipe"));
+    CHECK_THAT(error_of(folder.path() / "gone.obj"), contains_text("there is no such file"));
     CHECK_FALSE(error_of(std::string(5000, 'x')).empty());
     CHECK_FALSE(error_of("").empty());
 }
@@ -93,12 +92,12 @@ TEST_CASE("a file over the limit is refused before it is read", "[obj]") {
 
 TEST_CASE("errors tell the line of the file although lines are joined", "[obj]") {
     CHECK_THAT(error_of_text("v 0 0 \\\n 0\n\n# comment \\\nv 1 \\\n x 2\n"),
-               Catch::StartsWith("model.obj:5: \"x\" is not a number."));
-    CHECK_THAT(error_of_text("\r\r\nv x 0 0"), Catch::StartsWith("model.obj:3: \"x\""));
+               starts_with_text("model.obj:5: \"x\" is not a number."));
+    CHECK_THAT(error_of_text("\r\r\nv x 0 0"), starts_with_text("model.obj:3: \"x\""));
 }
 
 TEST_CASE("what stands in a file cannot upset a sentence", "[obj]") {
-    CHECK_THAT(error_of_text("v \x1b[31m\xff 0 0\n"), Catch::Contains("\"?[31m?\""));
+    CHECK_THAT(error_of_text("v \x1b[31m\xff 0 0\n"), contains_text("\"?[31m?\""));
     CHECK_THAT(error_of_text("v " + std::string(100000, 'x') + " 0 0\n"),
-               Catch::Contains("\"" + std::string(40, 'x') + "...\""));
+               contains_text("\"" + std::string(40, 'x') + "...\""));
 }

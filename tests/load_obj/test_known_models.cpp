@@ -46,7 +46,7 @@ TEST_CASE("normals that the file gives are used at length 1", "[obj]") {
     CHECK(scene.normals[0] == glm::vec3(0, 0, -1));
     CHECK(scene.normals[6] == glm::vec3(0, 0, 1));
     CHECK(scene.normals[12] == glm::vec3(0, -1, 0));
-    CHECK_THAT(joined(scene.messages), Catch::Contains("cube.obj: Its own normals are used."));
+    CHECK_THAT(joined(scene.messages), contains_text("cube.obj: Its own normals are used."));
     CHECK(scene.messages.size() == 1);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("files without a face are empty scenes with a message", "[obj]") {
         const Scene scene = load_corpus(name);
         CHECK(triangle_count(scene) == 0);
         CHECK(scene.materials.size() == 1);
-        CHECK_THAT(joined(scene.messages), Catch::Contains("holds no face that can be drawn"));
+        CHECK_THAT(joined(scene.messages), contains_text("holds no face that can be drawn"));
     }
 }
 
@@ -128,5 +128,5 @@ TEST_CASE("the bunny has 69666 triangles and loads in well under 2 seconds", "[o
     CHECK(triangle_count(scene) == 69666);
     CHECK(first_fault(scene).empty());
     CHECK(seconds < 2.0);
-    CHECK_THAT(joined(scene.messages), Catch::Contains("every triangle is flat"));
+    CHECK_THAT(joined(scene.messages), contains_text("every triangle is flat"));
 }

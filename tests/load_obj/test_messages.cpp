@@ -23,44 +23,44 @@ Loaded load_corpus(const std::string& name) {
 TEST_CASE("faces without area are dropped and counted by line", "[obj]") {
     const Loaded loaded = load_corpus("zero_area.obj");
     CHECK(loaded.triangles == 1);
-    CHECK_THAT(loaded.messages, Catch::Contains("zero_area.obj:6: A face without area was dropped, "
-                                                "3 times (lines 6, 8, 9)."));
+    CHECK_THAT(loaded.messages, contains_text("zero_area.obj:6: A face without area was dropped, "
+                                              "3 times (lines 6, 8, 9)."));
 }
 
 TEST_CASE("a face that repeats a vertex is dropped or drawn without the repetition", "[obj]") {
     const Loaded loaded = load_corpus("repeated_index.obj");
     CHECK(loaded.triangles == 2);
     CHECK_THAT(loaded.messages,
-               Catch::Contains("A face without area was dropped, 2 times (lines 5, 8)."));
-    CHECK_THAT(loaded.messages, Catch::Contains("repeated_index.obj:6: A face names a vertex twice "
-                                                "in a row; it is drawn as if once, 2 times "
-                                                "(lines 6, 7)."));
+               contains_text("A face without area was dropped, 2 times (lines 5, 8)."));
+    CHECK_THAT(loaded.messages, contains_text("repeated_index.obj:6: A face names a vertex twice "
+                                              "in a row; it is drawn as if once, 2 times "
+                                              "(lines 6, 7)."));
 }
 
 TEST_CASE("faces with fewer than three corners are dropped and counted by line", "[obj]") {
     const Loaded loaded = load_corpus("two_corners.obj");
     CHECK(loaded.triangles == 0);
-    CHECK_THAT(loaded.messages, Catch::Contains("two_corners.obj:4: A face with fewer than three "
-                                                "corners was dropped, 3 times (lines 4, 5, 6)."));
+    CHECK_THAT(loaded.messages, contains_text("two_corners.obj:4: A face with fewer than three "
+                                              "corners was dropped, 3 times (lines 4, 5, 6)."));
 }
 
 TEST_CASE("words that OBJ does not know are skipped and counted by line", "[obj]") {
     const Loaded capital = load_corpus("upper_case.obj");
     CHECK(capital.triangles == 0);
-    CHECK_THAT(capital.messages, Catch::Contains("upper_case.obj:1: OBJ has no statement \"V\""));
-    CHECK_THAT(capital.messages, Catch::Contains("upper_case.obj:5: OBJ has no statement \"F\""));
-    CHECK_THAT(capital.messages, Catch::Contains("2 times (lines 5, 6)."));
+    CHECK_THAT(capital.messages, contains_text("upper_case.obj:1: OBJ has no statement \"V\""));
+    CHECK_THAT(capital.messages, contains_text("upper_case.obj:5: OBJ has no statement \"F\""));
+    CHECK_THAT(capital.messages, contains_text("2 times (lines 5, 6)."));
 
     const Loaded unknown = load_corpus("unknown_words.obj");
     CHECK(unknown.triangles == 1);
-    CHECK_THAT(unknown.messages, Catch::Contains("unknown_words.obj:4: OBJ has no statement "
-                                                 "\"zap\""));
+    CHECK_THAT(unknown.messages, contains_text("unknown_words.obj:4: OBJ has no statement "
+                                               "\"zap\""));
 }
 
 TEST_CASE("lines and points and curves and groups are skipped in silence", "[obj]") {
     const Loaded loaded = load_corpus("lines_and_curves.obj");
     CHECK(loaded.triangles == 1);
-    CHECK_THAT(loaded.messages, !Catch::Contains("no statement"));
+    CHECK_THAT(loaded.messages, !contains_text("no statement"));
 }
 
 TEST_CASE("however much is wrong the messages stay few", "[obj]") {
@@ -70,13 +70,13 @@ TEST_CASE("however much is wrong the messages stay few", "[obj]") {
     const Scene scene = parse_obj(text, "many.obj");
     CHECK(scene.messages.size() < 60);
     CHECK_THAT(joined(scene.messages),
-               Catch::Contains("many.obj:99: There is more of other kinds, 9951 times (lines 99, "
-                               "101, 103, 105, 107, ...)."));
+               contains_text("many.obj:99: There is more of other kinds, 9951 times (lines 99, "
+                             "101, 103, 105, 107, ...)."));
 }
 
 TEST_CASE("a smoothing group that is none sets smoothing off with a message", "[obj]") {
     const Loaded loaded = load_corpus("smoothing_unknown.obj");
     CHECK(loaded.triangles == 4);
-    CHECK_THAT(loaded.messages, Catch::Contains(":6: There is no smoothing group \"-4\""));
-    CHECK_THAT(loaded.messages, Catch::Contains(":8: There is no smoothing group \"99999999999\""));
+    CHECK_THAT(loaded.messages, contains_text(":6: There is no smoothing group \"-4\""));
+    CHECK_THAT(loaded.messages, contains_text(":8: There is no smoothing group \"99999999999\""));
 }

@@ -32,10 +32,9 @@ TEST_CASE("faces of one smoothing group share normals weighted by their angles",
     check_same_direction(scene.normals[1], left);
     CHECK(scene.corners[12].y == -1.0f); // the floor stands outside the group
     check_same_direction(scene.normals[12], glm::vec3(0, -1, 0));
-    CHECK_THAT(
-        joined(scene.messages),
-        Catch::Contains("Of its corners, 0 have normals of their own, 12 angle-weighted ones "
-                        "within smoothing groups, and 6 flat ones."));
+    CHECK_THAT(joined(scene.messages),
+               contains_text("Of its corners, 0 have normals of their own, 12 angle-weighted ones "
+                             "within smoothing groups, and 6 flat ones."));
 }
 
 TEST_CASE("the corner of a cube gets the diagonal however its faces are cut", "[normals]") {
@@ -58,22 +57,22 @@ TEST_CASE("where smooth normals cancel out each triangle keeps its own", "[obj]"
     CHECK(scene.normals[0] == glm::vec3(0, 0, 1));
     CHECK(scene.normals[3] == glm::vec3(0, 0, -1));
     CHECK_THAT(joined(scene.messages),
-               Catch::Contains("angle-weighted within its smoothing groups."));
+               contains_text("angle-weighted within its smoothing groups."));
 }
 
 TEST_CASE("normals that give no direction are made instead with a message", "[obj]") {
     const Scene scene = load_obj(corpus_file("nan_normal.obj"));
     for (const glm::vec3& normal : scene.normals)
         CHECK(normal == glm::vec3(0, 0, 1));
-    CHECK_THAT(joined(scene.messages), Catch::Contains("nan_normal.obj:4: A normal is zero or not "
-                                                       "finite") &&
-                                           Catch::Contains("4 times (lines 4, 5, 6, 7)."));
+    CHECK_THAT(joined(scene.messages), contains_text("nan_normal.obj:4: A normal is zero or not "
+                                                     "finite") &&
+                                           contains_text("4 times (lines 4, 5, 6, 7)."));
 }
 
 TEST_CASE("a model that says nothing of normals is flat and says so", "[obj]") {
     const Scene scene = load_obj(corpus_file("no_line_end.obj"));
     CHECK(scene.normals[0] == glm::vec3(0, 0, 1));
-    CHECK_THAT(joined(scene.messages), Catch::Contains("so every triangle is flat."));
+    CHECK_THAT(joined(scene.messages), contains_text("so every triangle is flat."));
 }
 
 TEST_CASE("smooth normals have length 1 and do not depend on the order of corners", "[normals]") {
