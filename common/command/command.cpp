@@ -43,6 +43,15 @@ bool answer_questions(const Command& command) {
     return command.list_scenes || command.print_scene;
 }
 
+// What was printed may be a file that someone works on with: it is whole, or that is an error.
+void check_output() {
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw InputError("standard output cannot be written to its end. Make room, or direct it "
+                         "to another place.");
+    }
+}
+
 } // namespace
 
 void add_common_options(CLI::App& app, Command& command) {
@@ -99,7 +108,7 @@ int run_command(CLI::App& app, Command& command, int argc, char** argv,
         if (!answer_questions(command)) {
             body();
         }
-        std::cout.flush();
+        check_output();
         return exit_code(ExitCode::done);
     } catch (const Error& error) {
         std::cout.flush();

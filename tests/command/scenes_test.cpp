@@ -10,6 +10,8 @@ using namespace raysteps;
 
 namespace {
 
+constexpr long pixel_count = 432; // 24 x 18
+
 // The names of the scenes, without their parameters.
 std::vector<std::string> scene_names(const Workplace& workplace, const std::string& chapter) {
     const Outcome outcome = workplace.run(chapter, {"--list-scenes"});
@@ -41,7 +43,7 @@ void check_printed_scene(const Workplace& workplace, const std::string& scene,
     REQUIRE(printed.exit_code == 0);
     workplace.write("printed.toml", printed.output);
     const std::string bits = picture_of(workplace, "03_shading", scene, picture);
-    REQUIRE(bits.size() > 24 * 18 * 12);
+    REQUIRE(bits.size() > std::size_t{pixel_count} * 12);
     CHECK(picture_of(workplace, "03_shading", "printed.toml", "printed.pfm") == bits);
 }
 
@@ -92,7 +94,7 @@ TEST_CASE("a scene without triangles shows the background", "[command]") {
         const Image image = read_pfm(workplace / file);
         CAPTURE(file);
         CHECK(image.width == 24);
-        CHECK(std::count(image.pixels.begin(), image.pixels.end(), background) == 24 * 18);
+        CHECK(std::count(image.pixels.begin(), image.pixels.end(), background) == pixel_count);
     }
     picture_of(workplace, "01_rays", "empty.obj", "directions.pfm");
 }

@@ -34,6 +34,22 @@ TEST_CASE("hits that cannot be written are refused", "[command][refusal]") {
                   {"file/hits.csv", "cannot be written"});
 }
 
+TEST_CASE("an output that is cut short is an error", "[command][refusal]") {
+    if (!std::filesystem::exists("/dev/full")) {
+        WARN("This system has no /dev/full, so nothing is checked.");
+        return;
+    }
+    const Workplace workplace("unwritable_output");
+    for (const std::string& chapter : chapters) {
+        for (const std::string question : {"--list-scenes", "--print-scene"}) {
+            const Outcome outcome = workplace.run_into("/dev/full", chapter, {question});
+            CAPTURE(chapter, question);
+            CHECK(outcome.exit_code == 2);
+            CHECK_THAT(outcome.errors, starts_with_text(chapter + ": standard output cannot be"));
+        }
+    }
+}
+
 // Exit code 3: the machine lacks something.
 
 TEST_CASE("a window without a display is refused with the exit code 3", "[command][refusal]") {

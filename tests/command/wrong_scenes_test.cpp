@@ -11,7 +11,7 @@ TEST_CASE("a scene that is not there is refused", "[command][refusal]") {
     check_refusals(workplace, {"--scene", "models.obj"}, 2, {"models.obj", "folder"});
     check_refusals(workplace, {"--scene", "mirors"}, 2,
                    {"\"mirors\"", "Did you mean mirrors?", "--list-scenes"});
-    check_refusals(workplace, {"--scene", "sphereflake:99"}, 2, {"sphereflake:99"});
+    check_refusals(workplace, {"--scene", "sphereflake:99"}, 2, {"0 to 5, not \"99\""});
 }
 
 TEST_CASE("a model with a fault is refused with its line", "[command][refusal]") {
