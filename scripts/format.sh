@@ -8,19 +8,19 @@ tool=$(command -v clang-format-14 || command -v clang-format) || {
   exit 3
 }
 status=0
+formatted=$(mktemp)
+trap 'rm -f "$formatted"' EXIT
 while IFS= read -r -d '' file; do
   [ -f "$file" ] || continue
   # The GLSL of this project reads as C++ to the formatter.
-  "$tool" --assume-filename="$PWD/${file%.*}.cpp" <"$file" >"$file.formatted"
-  if cmp -s "$file" "$file.formatted"; then
-    rm "$file.formatted"
+  "$tool" --assume-filename="$PWD/${file%.*}.cpp" <"$file" >"$formatted"
+  if cmp -s "$file" "$formatted"; then
+    continue
   elif [ "${1:-}" = --check ]; then
-    rm "$file.formatted"
     echo "format: $file is not formatted. Run scripts/format.sh."
     status=1
   else
-    cat "$file.formatted" >"$file"
-    rm "$file.formatted"
+    cat "$formatted" >"$file"
   fi
 done < <(find chapters common shaders tests \( -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.frag' -o -name '*.vert' \) -print0)
 exit $status
