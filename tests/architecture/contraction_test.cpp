@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 // A compiler that contracts a * b + c rounds once instead of twice. That changes bits, and opens

@@ -118,10 +118,7 @@ std::vector<std::string> find_includes_against_the_arrow(const fs::path& root) {
             }
             const std::string included = find_included(root, file, include.name);
             if (included.empty()) {
-                faults.push_back(fault_at(file, include.line,
-                                          "\"" + include.name +
-                                              "\" is no file of ours. Name "
-                                              "packages as <...>."));
+                faults.push_back(fault_at(file, include.line, unknown_file(include.name)));
                 continue;
             }
             const std::string why_not = objection(file, included);

@@ -4,6 +4,7 @@
 #include "ray_bytes.h"
 #include "scene/load_scene.h"
 
+#include <algorithm>
 #include <sstream>
 
 using namespace raysteps;
