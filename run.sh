@@ -28,25 +28,29 @@ if [ $# -gt 0 ]; then
     [ -d "$folder" ] && [[ $1 =~ ^[0-9][0-9] ]] && chapter=$(basename "$folder")
   done
   if [ -z "$chapter" ]; then
-    echo "run.sh: there is no chapter $1. Take one of: $(cd chapters && echo [0-9]*/)" >&2
+    echo "run.sh: there is no chapter or option $1. The chapters: $(cd chapters && ls -d [0-9]* | xargs); see --help." >&2
     exit 2
   fi
   shift
 fi
 
 set_up run $install
+# Tests are configured where they can be built, and never built here.
+tests=$(can_test && echo ON || echo OFF)
 log=build/configure.log
 mkdir -p build
-if ! cmake --preset default -DRAYSTEPS_TESTS=OFF >$log 2>&1; then
+if ! cmake --preset default -DRAYSTEPS_TESTS="$tests" >$log 2>&1; then
   cat $log >&2
   exit 3
 fi
 
 if [ -n "$chapter" ]; then
-  # Quiet where nothing is to be built, so that a picture's own words stand alone.
+  if [ ! -x "build/default/chapters/$chapter/$chapter" ]; then
+    echo "run.sh: building $chapter, which takes some minutes the first time (see build/build.log)" >&2
+  fi
   cmake --build --preset default --target "$chapter" >build/build.log 2>&1 || {
     cat build/build.log >&2
-    exit 3
+    exit 1
   }
   program=$PWD/build/default/chapters/$chapter/$chapter
   cd "$called_from"

@@ -6,10 +6,15 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . scripts/set_up.sh
 
-if [ $# -gt 0 ] && [ "$1" != --no-install ]; then
-  echo "test.sh: the option $1 is not known. The only one is --no-install." >&2
+if [ $# -gt 1 ] || { [ $# -eq 1 ] && [ "$1" != --no-install ]; }; then
+  echo "test.sh: $* is not known. The only option is --no-install." >&2
   exit 2
 fi
 set_up test "${1:-}"
-cmake --workflow --preset fuzz
-cmake --workflow --preset default
+status=0
+cmake --workflow --preset fuzz || status=1
+cmake --workflow --preset default || status=1
+if [ $status -ne 0 ]; then
+  echo "test.sh: something above failed." >&2
+fi
+exit $status

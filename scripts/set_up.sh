@@ -1,4 +1,4 @@
-# What run.sh and test.sh share: installs what is missing, and moves to the project's folder. Sourced by both.
+# What run.sh and test.sh share: installs what is missing. Sourced by both.
 #
 #   set_up run|test [--no-install]
 #
@@ -23,6 +23,13 @@ packages_to_test=(
 
 is_installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+can_test() {
+  local package
+  for package in catch2 librapidcheck-dev libembree-dev; do
+    is_installed "$package" || return 1
+  done
 }
 
 set_up() {
@@ -57,7 +64,8 @@ set_up() {
   echo "set-up: installing ${missing[*]}"
   local log
   log=$(mktemp)
-  if ! { "${administrator[@]}" apt-get update -q &&
+  # Where one of the sources fails, what is needed may come from the others: only the install decides.
+  if ! { { "${administrator[@]}" apt-get update -q || true; } &&
     "${administrator[@]}" env DEBIAN_FRONTEND=noninteractive \
       apt-get install -y -q --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
     tail -n 5 "$log" >&2

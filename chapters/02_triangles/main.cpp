@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
     add_tracing_options(app, command);
     app.add_option("--view", view, "normals, facets, depth, triangles or barycentric")
         ->capture_default_str();
-    app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
+    app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired")
+        ->excludes("--rays", "--window");
     return run_command(app, command, argc, argv, [&] {
         const Parts parts = trace_parts(command);
         const std::string view_part = find_part("view", view);
@@ -38,7 +39,8 @@ int main(int argc, char** argv) {
                 [&](const Camera& camera, int width, int height) {
                     const RayTextures rays =
                         generate_rays(camera, width, height, RayGeneration::direct);
-                    const Texture hits = trace.closest_hits(rays);
+                    const Texture hits = trace.closest_hits(
+                        rays, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
                     return show_hits(rays, hits, textures, camera, scene.background, view_part);
                 });
         trace.report();

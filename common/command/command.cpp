@@ -33,6 +33,29 @@ Scene load(const Command& command) {
     return scene;
 }
 
+// A file that is read must not be written: it would be lost.
+void check_outputs(const Command& command) {
+    for (const auto& [option, output] :
+         {std::pair{"--hits", command.hits}, std::pair{"--json", command.json}}) {
+        for (const auto& [input_option, input] :
+             {std::pair{"--rays", command.rays},
+              std::pair{"--scene", std::filesystem::path(command.scene)}}) {
+            std::error_code ignored;
+            if (!output.empty() && std::filesystem::equivalent(output, input, ignored)) {
+                throw InputError(std::string(option) + " " + output.string() +
+                                 ": this is the file of " + input_option +
+                                 ", which would be lost. Name another.");
+            }
+        }
+    }
+    if (!command.hits.empty() && command.hits == command.json) {
+        throw InputError("--hits and --json name the same file. Name two.");
+    }
+    if (command.out.empty()) {
+        throw InputError("--out: the name of the folder is empty. Name one, or leave out --out.");
+    }
+}
+
 // Answers that need no picture. True where one was given.
 bool answer_questions(const Command& command) {
     if (command.list_scenes) {
@@ -105,6 +128,7 @@ int run_command(CLI::App& app, Command& command, int argc, char** argv,
             throw InputError("--rays and --hits go together: name a file of rays and a file for "
                              "their hits.");
         }
+        check_outputs(command);
         if (!answer_questions(command)) {
             body();
         }

@@ -14,7 +14,8 @@ class TimedTrace {
 public:
     TimedTrace(const Command& command, const Parts& parts, const SceneTextures& scene);
 
-    Texture closest_hits(const RayTextures& rays);
+    // The count is that of the rays: textures may hold empty ones behind them.
+    Texture closest_hits(const RayTextures& rays, std::size_t ray_count);
 
     // Prints how many tests a second the last trace made, and writes the numbers of --json.
     void report() const;

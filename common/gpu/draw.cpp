@@ -41,6 +41,9 @@ void draw(const Program& program, const Targets& targets) {
     if (targets.live) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                   targets.live->id());
+    }
+    check_complete();
+    if (targets.live) {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_EQUAL, 1, 1);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -49,7 +52,6 @@ void draw(const Program& program, const Targets& targets) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     }
-    check_complete();
     program.use();
     const Texture& first = targets.textures.front();
     glViewport(0, 0, first.width(), first.height());

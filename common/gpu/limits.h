@@ -13,8 +13,7 @@ struct Limits {
 inline constexpr int no_loop_limit = 1 << 20;
 
 // Runs small passes that show the limits. Throws MachineError where OpenGL computes what no walk
-// could work with: a loop that stops early within 1,024 rounds, or floats and integers that do not
-// survive a texture.
+// could work with: a loop that stops within 1,024 rounds, or integers that a texture changes.
 Limits measure_limits();
 
 } // namespace raysteps

@@ -62,6 +62,10 @@ std::string find_part(const std::string& slot, const std::string& name) {
         }
         names += (names.empty() ? "" : ", ") + part.name;
     }
+    if (names.empty()) {
+        throw MachineError(shader_folder().string() + ": holds no part for the slot <" + slot +
+                           ">. Get the shaders back, or build again where the project is now.");
+    }
     throw InputError("--" + slot + " " + name + ": there is no such part. Take one of " + names +
                      ".");
 }

@@ -9,6 +9,7 @@
 #include <stb_image_write.h>
 
 #include <cstdint>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,19 @@ std::vector<std::uint8_t> encode(const Image& image) {
     return components;
 }
 
-void append(void* bytes, void* piece, int size) {
-    static_cast<std::string*>(bytes)->append(static_cast<const char*>(piece),
-                                             static_cast<std::size_t>(size));
+struct Output {
+    std::string bytes;
+    bool fits = true;
+};
+
+// No exception may pass through stb's C code.
+void append(void* output, void* piece, int size) {
+    auto& [bytes, fits] = *static_cast<Output*>(output);
+    try {
+        bytes.append(static_cast<const char*>(piece), static_cast<std::size_t>(size));
+    } catch (const std::bad_alloc&) {
+        fits = false;
+    }
 }
 
 } // namespace
@@ -38,14 +49,14 @@ void append(void* bytes, void* piece, int size) {
 void write_png(const std::filesystem::path& path, const Image& image) {
     check_image(path.string(), image);
     const std::vector<std::uint8_t> components = encode(image);
-    std::string bytes;
-    const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 3,
+    Output output;
+    const int done = stbi_write_png_to_func(append, &output, image.width, image.height, 3,
                                             components.data(), 3 * image.width);
-    if (done == 0) {
+    if (done == 0 || !output.fits) {
         throw MachineError(path.string() +
                            ": cannot be encoded: not enough memory. Make a smaller picture.");
     }
-    write_file(path, bytes);
+    write_file(path, output.bytes);
 }
 
 } // namespace raysteps

@@ -1,7 +1,10 @@
 #include "render/ray_textures.h"
 
+#include "error/error.h"
+
 #include <algorithm>
 #include <bit>
+#include <string>
 
 namespace raysteps {
 
@@ -21,6 +24,15 @@ RayTextures make_ray_textures(int width, int height) {
 }
 
 RayTextures upload_rays(std::span<const Ray> rays) {
+    GLint tallest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &tallest);
+    const std::size_t most =
+        static_cast<std::size_t>(rays_per_row) * static_cast<std::size_t>(tallest);
+    if (rays.size() > most) {
+        throw InputError("There are " + std::to_string(rays.size()) +
+                         " rays, but this machine's OpenGL takes " + std::to_string(most) +
+                         " at once. Split the file of rays.");
+    }
     const int count = static_cast<int>(rays.size());
     const int width = std::clamp(count, 1, rays_per_row);
     const int height = std::max(1, (count + width - 1) / width);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace raysteps {
 
@@ -55,8 +56,8 @@ Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, co
         .set("ray_directions", rays.directions)
         .set("triangle_corners", scene.corners)
         .set("near_enough", near_enough);
-    const LiveMask everywhere(width, height);
-    const LiveMask& asked = live ? *live : everywhere;
+    std::optional<LiveMask> everywhere;
+    const LiveMask& asked = live ? *live : everywhere.emplace(width, height);
     int step = triangles_per_launch_;
     int first = 0;
     while (first < scene.triangle_count) {

@@ -16,7 +16,7 @@ struct Summary {
 // Of at least one value, none of which is NaN.
 Summary summarize(std::span<const float> values);
 
-// `median 0.5, 99 % under 1.2, largest 3`
+// `median 0.5, 99 % up to 1.2, largest 3`
 std::string to_string(const Summary& summary);
 
 } // namespace raysteps

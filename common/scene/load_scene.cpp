@@ -32,7 +32,7 @@ std::string lower_case(std::string text) {
 // The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
 Scene load_bare_obj(const fs::path& path, float aspect_ratio) {
     Scene model = load_obj(path);
-    model.models = {{fs::absolute(path).string(), glm::mat4(1.0f)}};
+    model.models = {{fs::absolute(path).lexically_normal().string(), glm::mat4(1.0f)}};
     Scene scene = append_model({}, model, glm::mat4(1.0f));
     scene.name = model.name;
     return frame_scene(std::move(scene), aspect_ratio);
@@ -54,7 +54,10 @@ Scene load_scene(const std::string& name, float aspect_ratio) {
     }
     std::error_code error;
     if (fs::exists(path, error)) {
-        throw InputError(name + ": this is no scene file. Give a file that ends in .obj or .toml.");
+        throw InputError(
+            name +
+            (fs::is_directory(path, error) ? ": this is a folder" : ": this is no scene file") +
+            ". Give a file that ends in .obj or .toml.");
     }
     return make_sample_scene(name, aspect_ratio); // which says that there is no such scene
 }

@@ -48,11 +48,15 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
         throw toml_error(table.source(), "a model needs the path of an OBJ file.");
     }
     const std::string given = toml_string(*path_node, "path");
-    const fs::path path = fs::absolute(folder / given);
+    const fs::path path = fs::absolute(folder / given).lexically_normal();
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         throw toml_error(path_node->source(), "there is no file " + in_quotes(given) + " in \"" +
                                                   folder.string() + "\". Correct the path.");
+    }
+    if (path.extension() != ".obj" && path.extension() != ".OBJ") {
+        throw toml_error(path_node->source(),
+                         in_quotes(given) + " is no OBJ file. Name a file that ends in .obj.");
     }
     const glm::mat4 transform = toml_transform(table);
     Scene model = load_obj(path);

@@ -70,12 +70,14 @@ Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int triangle)
     bool none_positive = weight_a <= zero && weight_b <= zero && weight_c <= zero;
     bool inside = (none_negative || none_positive) && det != zero;
 
-    precise real t = (weight_a * p.z + weight_b * q.z + weight_c * r.z) / det;
+    // Shares before distances: an area times a length could be too large for the numbers at hand.
+    precise real share_a = weight_a / det;
+    precise real u = weight_b / det;
+    precise real v = weight_c / det;
+    precise real t = share_a * p.z + u * q.z + v * r.z;
     bool on_ray = t >= ray.t_min && t <= ray.t_max;
 
     // Rounding may bring u + v over 1 by a hair; 1 - u is the most that v can be.
-    precise real u = weight_b / det;
-    precise real v = weight_c / det;
     precise real most = real(1.0f) - u;
 
     Hit hit;

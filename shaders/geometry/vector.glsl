@@ -14,8 +14,11 @@ real3 cross_product(real3 a, real3 b) {
 }
 
 // The vector of length 1 in the same direction; of the zero vector, not a number.
+// Scaled first, so that no square is too large or too small for the numbers at hand.
 real3 unit(real3 a) {
-    precise real length_of_a = sqrt(dot_product(a, a));
-    precise real3 result = a / length_of_a;
+    real largest = max(abs(a.x), max(abs(a.y), abs(a.z)));
+    precise real3 scaled = a / largest;
+    precise real length_of_scaled = sqrt(dot_product(scaled, scaled));
+    precise real3 result = scaled / length_of_scaled;
     return result;
 }

@@ -11,6 +11,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 using namespace raysteps;
@@ -67,6 +69,26 @@ TEST_CASE("the wavefront paints what the recursive reference paints", "[03][refe
         // is summed from a few products, so 1e-3 leaves room for what curved mirrors magnify.
         CHECK(worst < 1e-3);
         CHECK(excused < image.pixels.size() / 100);
+    }
+}
+
+TEST_CASE("a scene of any size gives the same picture bit for bit", "[03][hard_case]") {
+    // A power of two changes no bit of a float but its exponent: what differs has overflowed or
+    // underflowed.
+    const auto context = make_context(ContextKind::automatic);
+    const Scene scene = load_scene("mirrors", 1.0f);
+    const Image expected = whitted_by_gpu(scene, 32, 32, 3);
+    for (const int exponent : {-40, -20, 20, 40, 50}) {
+        CAPTURE(exponent);
+        Scene scaled = scene;
+        const auto scale = [&](glm::vec3& point) { point *= std::ldexp(1.0f, exponent); };
+        std::for_each(scaled.corners.begin(), scaled.corners.end(), scale);
+        scale(scaled.camera.eye);
+        scale(scaled.camera.target);
+        for (Light& light : scaled.lights) {
+            scale(light.position);
+        }
+        CHECK(count_different_bits(whitted_by_gpu(scaled, 32, 32, 3), expected) == 0);
     }
 }
 

@@ -7,7 +7,7 @@ TEST_CASE("a scene that is not there is refused", "[command][refusal]") {
     std::filesystem::create_directory(workplace / "models.obj");
     check_refusals(workplace, {"--scene", "bunny.obj"}, 2, {"bunny.obj: there is no such file"});
     check_refusals(workplace, {"--scene", "bunny.toml"}, 2, {"bunny.toml: there is no such file"});
-    check_refusals(workplace, {"--scene", "models"}, 2, {"models: this is no scene file", ".obj"});
+    check_refusals(workplace, {"--scene", "models"}, 2, {"models: this is a folder", ".obj"});
     check_refusals(workplace, {"--scene", "models.obj"}, 2, {"models.obj", "folder"});
     check_refusals(workplace, {"--scene", "mirors"}, 2,
                    {"\"mirors\"", "Did you mean mirrors?", "--list-scenes"});

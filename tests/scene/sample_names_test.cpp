@@ -62,7 +62,7 @@ TEST_CASE("a file of another kind is refused", "[scene]") {
             path + ": this is no scene file. Give a file that ends in .obj or .toml.");
     const std::string folder = RAYSTEPS_TEST_DIR;
     REQUIRE(complaint_about(folder) ==
-            folder + ": this is no scene file. Give a file that ends in .obj or .toml.");
+            folder + ": this is a folder. Give a file that ends in .obj or .toml.");
 }
 
 TEST_CASE("a file that does not exist is refused with its path", "[scene]") {

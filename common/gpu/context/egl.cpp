@@ -115,7 +115,11 @@ std::unique_ptr<Context> make_egl_context(EglDevices devices) {
         if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
             continue;
         }
-        load_gl(eglGetProcAddress, "egl");
+        try {
+            load_gl(eglGetProcAddress, "egl");
+        } catch (const MachineError&) {
+            continue; // the next device may do better
+        }
         if (devices == EglDevices::hardware_only && runs_on_processor()) {
             continue;
         }

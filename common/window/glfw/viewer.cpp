@@ -1,5 +1,6 @@
 #include "window/glfw/viewer.h"
 
+#include "error/error.h"
 #include "image/write_png.h"
 #include "window/camera_text.h"
 #include "window/help_picture.h"
@@ -86,8 +87,13 @@ void Viewer::save_picture() {
         take(render_frame(render_, sight, 1));
     }
     const std::filesystem::path path = screenshot_path(screenshot_);
-    write_png(path, frame_.image);
-    std::cout << "wrote     " << path.string() << "\n" << std::flush;
+    try {
+        write_png(path, frame_.image);
+        std::cout << "wrote     " << path.string() << "\n" << std::flush;
+    } catch (const InputError& error) {
+        // The picture is not lost: the window goes on, and S can be pressed again.
+        std::cerr << error.what() << "\n";
+    }
 }
 
 void Viewer::print_camera() {
