@@ -10,10 +10,11 @@ tool=$(command -v clang-format-14 || command -v clang-format) || {
 
 # list_files PATTERN...: those of the project that are there, each ended by a zero byte
 list_files() {
-  local file
-  git ls-files -z -co --exclude-standard -- "$@" | while IFS= read -r -d '' file; do
-    [ ! -f "$file" ] || printf '%s\0' "$file"
+  local pattern patterns=()
+  for pattern in "$@"; do
+    patterns+=(-o -name "$pattern")
   done
+  find chapters common shaders tests -type f \( "${patterns[@]:1}" \) -print0
 }
 
 # in_batches COMMAND...: with the files of standard input, on all processors
