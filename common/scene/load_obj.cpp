@@ -98,6 +98,18 @@ Material to_material(const tinyobj::material_t& source) {
     return material;
 }
 
+// Versions of tinyobjloader differ in where a name with spaces ends; the text knows.
+std::vector<std::string> names_in(const std::string& clean_mtl) {
+    const std::string keyword = "newmtl ";
+    std::istringstream lines(clean_mtl);
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(keyword))
+            names.push_back(line.substr(keyword.size()));
+    }
+    return names;
+}
+
 std::vector<Material> read_clean_mtl(const std::string& text) {
     std::vector<tinyobj::material_t> sources;
     std::map<std::string, int> index_of_name;
@@ -110,6 +122,9 @@ std::vector<Material> read_clean_mtl(const std::string& text) {
     materials.reserve(sources.size());
     for (const tinyobj::material_t& source : sources)
         materials.push_back(to_material(source));
+    const std::vector<std::string> names = names_in(text);
+    for (std::size_t i = 0; i < materials.size() && names.size() == materials.size(); ++i)
+        materials[i].name = names[i];
     return materials;
 }
 

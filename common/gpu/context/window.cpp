@@ -5,6 +5,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <cstdlib>
+
 namespace raysteps {
 
 namespace {
@@ -18,6 +20,12 @@ std::string reason() {
 class GlfwContext final : public WindowContext {
 public:
     GlfwContext(int width, int height, Visibility visibility) {
+#ifdef GLFW_PLATFORM
+        // GLFW 3.4 tries Wayland first, whose library complains where there is none.
+        if (std::getenv("WAYLAND_DISPLAY") == nullptr && glfwPlatformSupported(GLFW_PLATFORM_X11)) {
+            glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+        }
+#endif
         if (!glfwInit()) {
             throw MachineError("window: no display can be opened" + reason() +
                                ". Start it on a desktop, or under xvfb-run, or leave out --window "
@@ -44,11 +52,15 @@ public:
         }
     }
 
-    ~GlfwContext() override { glfwTerminate(); }
+    ~GlfwContext() override {
+        glfwTerminate();
+    }
     GlfwContext(const GlfwContext&) = delete;
     GlfwContext& operator=(const GlfwContext&) = delete;
 
-    GLFWwindow* window() const override { return window_; }
+    GLFWwindow* window() const override {
+        return window_;
+    }
 
 private:
     GLFWwindow* window_ = nullptr;
