@@ -1,0 +1,153 @@
+#include "structure/build_grid.h"
+
+#include "error/error.h"
+#include "structure/grid_neighbours.h"
+#include "structure/grid_overlap.h"
+#include "structure/grid_threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+constexpr std::int64_t bytes_each = sizeof(std::int32_t);
+constexpr std::int64_t bytes_in_mebibyte = 1LL << 20U;
+constexpr std::int64_t most_numbers = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t triangles_in_part = 256;
+
+void check_input(std::span<const glm::vec3> corners, const GridOptions& options) {
+    if (!(options.density > 0.0 && options.density <= 1e6)) {
+        throw InputError("--density " + std::to_string(options.density) +
+                         ": the cells a triangle must be over 0 and at most 1000000.");
+    }
+    if (options.resolution < 0) {
+        throw InputError("--resolution " + std::to_string(options.resolution) +
+                         ": the cells along the longest side must be 1 or more, or 0 to follow "
+                         "--density.");
+    }
+    if (corners.size() / 3 > static_cast<std::size_t>(triangle_mask) + 1) {
+        throw InputError("the scene has " + std::to_string(corners.size() / 3) +
+                         " triangles, and a grid can refer to 67108864 (2^26). Take another "
+                         "--structure, or a smaller scene.");
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (!(std::isfinite(corners[i].x) && std::isfinite(corners[i].y) &&
+              std::isfinite(corners[i].z))) {
+            throw InputError("triangle " + std::to_string(i / 3) +
+                             " has a corner that is not finite. Check the scene.");
+        }
+    }
+}
+
+// Throws where so many cells with so many references take too much.
+void check_memory(std::int64_t cells, std::int64_t references, const GridOptions& options) {
+    const std::int64_t bytes = bytes_each * (cells + 1 + references);
+    if (bytes > options.memory_limit || cells >= most_numbers || references > most_numbers) {
+        const std::string coarser = options.resolution > 0 ? "--resolution" : "--density";
+        throw InputError("a grid of " + std::to_string(cells) + " cells takes " +
+                         std::to_string(bytes / bytes_in_mebibyte) + " MiB or more with " +
+                         std::to_string(references) +
+                         " references or more, and it may have 2147483647 of each and " +
+                         std::to_string(options.memory_limit / bytes_in_mebibyte) +
+                         " MiB. Take a smaller " + coarser + ", or a larger --memory-limit.");
+    }
+}
+
+// The most references that there is room for beside the cells.
+std::int64_t most_references(std::int64_t cells, const GridOptions& options) {
+    return std::min(options.memory_limit / bytes_each - (cells + 1), most_numbers);
+}
+
+TriangleOverlap overlap_of(const GridShape& shape, std::span<const glm::vec3> corners,
+                           std::size_t triangle) {
+    return prepare_overlap(shape, corners[3 * triangle], corners[3 * triangle + 1],
+                           corners[3 * triangle + 2]);
+}
+
+// How many triangles overlap each cell; one number more, which is zero.
+std::vector<std::int32_t> count_references(const GridShape& shape,
+                                           std::span<const glm::vec3> corners,
+                                           const GridOptions& options) {
+    const std::int64_t cells = cell_count(shape);
+    const std::int64_t most = most_references(cells, options);
+    std::vector<std::int32_t> counts(static_cast<std::size_t>(cells) + 1, 0);
+    std::atomic<std::int64_t> total = 0;
+    const auto count = [&](std::size_t begin, std::size_t end) {
+        // Past the limit the rest is not worth the time.
+        for (std::size_t triangle = begin; triangle < end && total <= most; ++triangle) {
+            std::int64_t own = 0;
+            visit_overlapped(shape, overlap_of(shape, corners, triangle), [&](std::size_t cell) {
+                std::atomic_ref(counts[cell]).fetch_add(1, std::memory_order_relaxed);
+                ++own;
+            });
+            total.fetch_add(own, std::memory_order_relaxed);
+        }
+    };
+    in_parts(corners.size() / 3, triangles_in_part, options.threads, count);
+    check_memory(cells, total, options);
+    return counts;
+}
+
+// From the count of each cell to where its references end.
+std::vector<std::int32_t> add_up(std::vector<std::int32_t> counts) {
+    std::int32_t sum = 0;
+    for (std::int32_t& count : counts) {
+        sum += count;
+        count = sum;
+    }
+    return counts;
+}
+
+// Each reference goes before the last one of its cell, so that in the end the cell's number is
+// where its references start. The order in a cell is that of the threads.
+Grid fill(Grid grid, std::span<const glm::vec3> corners, unsigned threads) {
+    grid.references.resize(static_cast<std::size_t>(grid.starts.back()));
+    const auto fill_part = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t triangle = begin; triangle < end; ++triangle) {
+            const auto visit = [&](std::size_t cell) {
+                const std::int32_t place =
+                    std::atomic_ref(grid.starts[cell]).fetch_sub(1, std::memory_order_relaxed) - 1;
+                grid.references[static_cast<std::size_t>(place)] =
+                    static_cast<std::int32_t>(triangle);
+            };
+            visit_overlapped(grid.shape, overlap_of(grid.shape, corners, triangle), visit);
+        }
+    };
+    in_parts(corners.size() / 3, triangles_in_part, threads, fill_part);
+    return grid;
+}
+
+Grid sort_references(Grid grid, unsigned threads) {
+    const auto sort_part = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            std::sort(grid.references.begin() + grid.starts[cell],
+                      grid.references.begin() + grid.starts[cell + 1]);
+        }
+    };
+    in_parts(static_cast<std::size_t>(cell_count(grid.shape)), 4096, threads, sort_part);
+    return grid;
+}
+
+} // namespace
+
+Grid build_grid(std::span<const glm::vec3> corners, const GridOptions& options) {
+    check_input(corners, options);
+    Grid grid;
+    grid.shape = shape_grid(corners, options);
+    check_memory(cell_count(grid.shape), 0, options);
+    grid.starts = add_up(count_references(grid.shape, corners, options));
+    grid = fill(std::move(grid), corners, options.threads);
+    grid = sort_references(std::move(grid), options.threads);
+    return mark_neighbours(std::move(grid), options.threads);
+}
+
+std::int64_t memory_of(const Grid& grid) {
+    return bytes_each * static_cast<std::int64_t>(grid.starts.size() + grid.references.size());
+}
+
+} // namespace raysteps

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "structure/grid.h"
+
+#include <span>
+
+namespace raysteps {
+
+// The grid of these triangles, three corners each. Two passes over the triangles, one that counts
+// and one that fills, in time linear in the number of references; the same grid for any number of
+// threads. Throws InputError where the options make no sense, where a corner is not finite, where
+// there are more than 2^26 triangles, and where cells and references would take more than
+// memory_limit, before they are taken.
+Grid build_grid(std::span<const glm::vec3> corners, const GridOptions& options);
+
+// What cells and references take, in bytes.
+std::int64_t memory_of(const Grid& grid);
+
+} // namespace raysteps

@@ -1,0 +1,106 @@
+#include "error/error.h"
+#include "structure/build_grid.h"
+#include "structure/structure_family.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+const std::vector<BuildOption>& options() {
+    static const std::vector<BuildOption> all{
+        {"density", "4", "cells a triangle"},
+        {"resolution", "0", "cells along the longest side, or 0 to follow --density"},
+        {"memory-limit", "4096", "the most that cells and references may take, in MiB"},
+    };
+    return all;
+}
+
+// The value of an option as a number. Throws InputError where it is none, or out of range.
+template <class Number>
+Number number_of(const BuildRequest& request, const BuildOption& option, Number lowest,
+                 Number highest) {
+    const auto place = request.values.find(option.name);
+    const std::string& text = place == request.values.end() ? option.initial : place->second;
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
+        throw InputError("--" + option.name + " " + text + ": " + option.meaning +
+                         ". Give a number from " + std::to_string(lowest) + " to " +
+                         std::to_string(highest) + ".");
+    }
+    return number;
+}
+
+GridOptions options_of(const BuildRequest& request) {
+    GridOptions grid_options;
+    grid_options.density = number_of<double>(request, options()[0], 0.0, 1e6);
+    grid_options.resolution = number_of<int>(request, options()[1], 0, 1 << 20);
+    grid_options.memory_limit =
+        number_of<std::int64_t>(request, options()[2], 1, 1 << 20) * (1LL << 20U);
+    grid_options.reach = static_cast<double>(request.reach);
+    return grid_options;
+}
+
+// How full the cells are: of empty ones a walk pays for nothing but the step.
+struct Filling {
+    std::int64_t leaves = 0; // cells that list anything
+    std::int64_t longest = 0;
+    std::int64_t repeats = 0; // references that a neighbour has as well
+};
+
+Filling filling_of(const Grid& grid) {
+    Filling filling;
+    for (std::size_t cell = 0; cell + 1 < grid.starts.size(); ++cell) {
+        const std::int64_t length = grid.starts[cell + 1] - grid.starts[cell];
+        filling.leaves += length > 0 ? 1 : 0;
+        filling.longest = std::max(filling.longest, length);
+    }
+    filling.repeats = std::count_if(grid.references.begin(), grid.references.end(),
+                                    [](std::int32_t r) { return r != triangle_of(r); });
+    return filling;
+}
+
+std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double seconds) {
+    const Filling filling = filling_of(grid);
+    const auto references = static_cast<double>(grid.references.size());
+    const auto leaves = static_cast<double>(filling.leaves);
+    return {{"build_seconds", seconds},
+            {"memory_bytes", static_cast<double>(memory_of(grid))},
+            {"cells", static_cast<double>(cell_count(grid.shape))},
+            {"cells_x", static_cast<double>(grid.shape.cells.x)},
+            {"cells_y", static_cast<double>(grid.shape.cells.y)},
+            {"cells_z", static_cast<double>(grid.shape.cells.z)},
+            {"leaves", leaves},
+            {"references", references},
+            {"references_per_triangle",
+             triangles == 0 ? 0.0 : references / static_cast<double>(triangles)},
+            {"references_per_leaf", filling.leaves == 0 ? 0.0 : references / leaves},
+            {"longest_leaf", static_cast<double>(filling.longest)},
+            {"references_with_neighbours", static_cast<double>(filling.repeats)}};
+}
+
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const GridOptions grid_options = options_of(request);
+    const auto start = std::chrono::steady_clock::now();
+    Grid grid = build_grid(corners, grid_options);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    BuiltStructure built;
+    built.facts = facts_of(grid, corners.size() / 3, seconds.count());
+    built.packed = pack(std::move(grid));
+    return built;
+}
+
+} // namespace
+
+// Serves structure/grid.glsl and structure/grid_mailbox.glsl.
+StructureFamily family_grid() {
+    return {"grid", options(), build};
+}
+
+} // namespace raysteps
