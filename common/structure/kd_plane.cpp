@@ -1,0 +1,111 @@
+#include "structure/kd_plane.h"
+
+namespace raysteps {
+
+namespace {
+
+glm::dvec3 size_of(const Box& box) {
+    return glm::dvec3(box.upper) - glm::dvec3(box.lower);
+}
+
+// Is the plane far enough from both sides of the box?
+bool leaves_room(const Box& box, int axis, float position, double padding) {
+    const double least = least_width_in_paddings * padding;
+    const double plane = position;
+    return plane - static_cast<double>(box.lower[axis]) >= least &&
+           static_cast<double>(box.upper[axis]) - plane >= least;
+}
+
+// What a plane at right angles to the axis costs. Half of a child's surface is
+// cross_section + around * width, where width is its size along the axis.
+struct AxisCosts {
+    AxisCosts(const Box& box, int along, const KdOptions& chosen) : axis(along), options(chosen) {
+        const glm::dvec3 size = size_of(box);
+        cross_section = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+        around = size[(axis + 1) % 3] + size[(axis + 2) % 3];
+        lower = box.lower[axis];
+        upper = box.upper[axis];
+        whole = cross_section + around * size[axis];
+    }
+
+    double at(float position, std::size_t lower_count, std::size_t upper_count) const {
+        const double lower_area = cross_section + around * (position - lower);
+        const double upper_area = cross_section + around * (upper - position);
+        const double tests = (lower_area * static_cast<double>(lower_count) +
+                              upper_area * static_cast<double>(upper_count)) /
+                             whole;
+        const double cost = options.traversal_cost + options.intersection_cost * tests;
+        const bool cuts_off_nothing = lower_count == 0 || upper_count == 0;
+        return cuts_off_nothing ? (1.0 - options.empty_bonus) * cost : cost;
+    }
+
+    int axis;
+    const KdOptions& options;
+    double cross_section = 0.0;
+    double around = 0.0;
+    double lower = 0.0;
+    double upper = 0.0;
+    double whole = 0.0;
+};
+
+KdPlane cheaper(const KdPlane& a, const KdPlane& b) {
+    return was_found(b) && (!was_found(a) || b.cost < a.cost) ? b : a;
+}
+
+// The plane sweeps along one axis. A triangle that ends at it is not above, and one that starts at
+// it is not below.
+KdPlane cheapest_on_axis(const KdEvents& events, const Box& box, int axis, double padding,
+                         const KdOptions& options) {
+    const AxisCosts costs(box, axis, options);
+    const std::vector<KdEvent>& sorted = events[static_cast<std::size_t>(axis)];
+    KdPlane best;
+    std::size_t lower_count = 0;
+    std::size_t upper_count = triangle_count(events);
+    for (std::size_t i = 0; i < sorted.size();) {
+        const float position = sorted[i].position;
+        std::size_t starts = 0;
+        for (; i < sorted.size() && sorted[i].position == position; ++i) {
+            starts += is_start(sorted[i]) ? 1 : 0;
+            upper_count -= is_start(sorted[i]) ? 0 : 1;
+        }
+        if (leaves_room(box, axis, position, padding)) {
+            const double cost = costs.at(position, lower_count, upper_count);
+            best = cheaper(best, {axis, position, lower_count, upper_count, cost});
+        }
+        lower_count += starts;
+    }
+    return best;
+}
+
+} // namespace
+
+double half_area(const Box& box) {
+    const glm::dvec3 size = size_of(box);
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+KdPlane cheapest_plane(const KdEvents& events, const Box& box, double padding,
+                       const KdOptions& options) {
+    KdPlane best;
+    for (int axis = 0; axis < 3; ++axis) {
+        best = cheaper(best, cheapest_on_axis(events, box, axis, padding, options));
+    }
+    return best;
+}
+
+KdPlane middle_plane(const KdEvents& events, const Box& box, double padding) {
+    const glm::dvec3 size = size_of(box);
+    const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const auto middle = static_cast<float>(box.lower[axis] + 0.5 * size[axis]);
+    if (!leaves_room(box, axis, middle, padding)) {
+        return {};
+    }
+    KdPlane plane{axis, middle, 0, 0, 0.0};
+    for (const KdEvent& event : events[static_cast<std::size_t>(axis)]) {
+        plane.lower_count += is_start(event) && event.position < middle ? 1 : 0;
+        plane.upper_count += !is_start(event) && event.position > middle ? 1 : 0;
+    }
+    return plane;
+}
+
+} // namespace raysteps

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "geometry/box.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace raysteps {
+
+inline constexpr int kd_leaf = 3; // stands where a split has its axis: 0, 1 or 2
+inline constexpr int no_kd_node = -1;
+
+// An inner node parts its box at a plane: the first child takes what is below the split along the
+// axis, the second what is above. A leaf lists triangles instead.
+struct KdNode {
+    int axis = kd_leaf;
+    float split = 0.0f;
+    int first_child = no_kd_node; // the second one is its neighbour: first_child + 1
+    int parent = no_kd_node;
+    int first_reference = 0; // of a leaf: its part of the references, [first, end)
+    int end_reference = 0;
+    int leaf = -1; // the number of the leaf among the leaves, in the order of the nodes
+};
+
+inline bool is_leaf(const KdNode& node) {
+    return node.axis == kd_leaf;
+}
+
+// The node behind each face of a leaf: face 2 * axis is the lower one, 2 * axis + 1 the upper one.
+using KdRopes = std::array<int, 6>;
+
+// A binary tree over the boxes of space. Node 0 is the root; a parent stands before its children.
+// A triangle is listed in each leaf whose box, grown by the padding, it overlaps: so a leaf may
+// list none, and a triangle may be listed in many. A leaf lists its triangles in ascending order.
+struct KdTree {
+    std::vector<KdNode> nodes;
+    std::vector<Box> boxes; // of each node; the root's is that of all triangles, padded
+    std::vector<int> references;
+    std::vector<KdRopes> ropes; // of each leaf; no_kd_node where the face is the root's own
+    double padding = 0.0;
+};
+
+// Bytes of the tree as the kernels read it: 16 a node, 32 a box, 24 a leaf's ropes, 4 a reference.
+inline std::size_t bytes_of(const KdTree& tree) {
+    return 16 * tree.nodes.size() + 32 * tree.boxes.size() + 24 * tree.ropes.size() +
+           4 * tree.references.size();
+}
+
+} // namespace raysteps
