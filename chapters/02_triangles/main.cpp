@@ -2,6 +2,7 @@
 #include "command/command.h"
 #include "command/deliver.h"
 #include "command/timed_trace.h"
+#include "command/tracing_options.h"
 #include "exhibit.h"
 #include "gpu/shader_catalog.h"
 #include "render/generate_rays.h"
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
             trace_ray_file(command, parts, scene);
             return;
         }
-        const SceneTextures textures = upload(scene);
+        const SceneTextures textures = upload(scene, build_structure(command, scene));
         TimedTrace trace(command, parts, textures);
         deliver(command, *context, scene.camera, picture_name(command) + "_" + view,
                 [&](const Camera& camera, int width, int height) {

@@ -3,6 +3,7 @@
 #include "command/deliver.h"
 #include "command/progress.h"
 #include "command/timed_trace.h"
+#include "command/tracing_options.h"
 #include "render/whitted_renderer.h"
 
 #include <chrono>
@@ -28,7 +29,8 @@ int main(int argc, char** argv) {
             trace_ray_file(command, parts, scene);
             return;
         }
-        WhittedRenderer renderer(scene, parts, measure_limits());
+        WhittedRenderer renderer(scene, upload(scene, build_structure(command, scene)), parts,
+                                 measure_limits());
         renderer.report_progress(show_progress("tracing"));
         double seconds = 0.0;
         deliver(

@@ -101,15 +101,6 @@ void add_common_options(CLI::App& app, Command& command) {
                  "print the names that --scene knows, and do nothing else");
 }
 
-void add_tracing_options(CLI::App& app, Command& command) {
-    app.add_option("--triangle", command.triangle,
-                   "the triangle test: watertight, moeller_trumbore, ...")
-        ->capture_default_str();
-    app.add_option("--rays", command.rays,
-                   "trace the rays of this file (.f32 or .csv) instead of a picture's");
-    app.add_option("--hits", command.hits, "the file for the hits of --rays (.f32 or .csv)");
-}
-
 int run_command(CLI::App& app, Command& command, int argc, char** argv,
                 const std::function<void()>& body) {
     try {

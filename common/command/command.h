@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace raysteps {
@@ -19,6 +20,8 @@ struct Command {
     std::string camera{};
     std::string context = "auto";
     std::string triangle = "watertight";
+    std::string structure = "every_triangle";
+    std::map<std::string, std::string> build_values{}; // what the structure's builder is told
     std::filesystem::path out{};
     std::filesystem::path json{};
     std::filesystem::path rays{};
@@ -34,9 +37,6 @@ struct Command {
 
 // --scene --size --out --context --window --camera --json --print-scene --list-scenes
 void add_common_options(CLI::App& app, Command& command);
-
-// --triangle --rays --hits, of the chapters that trace.
-void add_tracing_options(CLI::App& app, Command& command);
 
 // Reads the command line and runs the body. An Error, or whatever else goes wrong, becomes one
 // sentence on standard error and the exit code of the program.

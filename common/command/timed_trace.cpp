@@ -2,17 +2,13 @@
 
 #include "command/deliver.h"
 #include "command/progress.h"
-#include "gpu/shader_catalog.h"
+#include "command/tracing_options.h"
 #include "scene/ray_file.h"
 
 #include <chrono>
 #include <cstdio>
 
 namespace raysteps {
-
-Parts trace_parts(const Command& command) {
-    return {{"triangle", find_part("triangle", command.triangle)}};
-}
 
 TimedTrace::TimedTrace(const Command& command, const Parts& parts, const SceneTextures& scene)
     : command_(command), scene_(scene), trace_(parts, measure_limits()) {
@@ -43,7 +39,7 @@ void TimedTrace::report() const {
 
 void trace_ray_file(const Command& command, const Parts& parts, const Scene& scene) {
     const std::vector<Ray> rays = read_ray_file(command.rays);
-    const SceneTextures textures = upload(scene);
+    const SceneTextures textures = upload(scene, build_structure(command, scene, rays));
     TimedTrace trace(command, parts, textures);
     const Texture hits = trace.closest_hits(upload_rays(rays), rays.size());
     write_hit_file(command.hits, read_hits(hits, rays.size()));

@@ -5,9 +5,6 @@
 
 namespace raysteps {
 
-// The parts that --triangle asks for. Throws InputError.
-Parts trace_parts(const Command& command);
-
 // Rays against a scene, with a clock beside them and progress on the terminal. The command and the
 // scene must outlive it.
 class TimedTrace {

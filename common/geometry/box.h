@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include <limits>
+#include <span>
 
 namespace raysteps {
 
@@ -24,6 +25,15 @@ inline Box merge(const Box& box, const glm::vec3& point) {
 
 inline Box merge(const Box& a, const Box& b) {
     return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
+}
+
+// The smallest box that holds all points; empty where there are none.
+inline Box bounds_of(std::span<const glm::vec3> points) {
+    Box box;
+    for (const glm::vec3& point : points) {
+        box = merge(box, point);
+    }
+    return box;
 }
 
 } // namespace raysteps

@@ -122,6 +122,12 @@ Program& Program::set(const std::string& name, const glm::vec3& value) {
     return *this;
 }
 
+Program& Program::set(const std::string& name, const glm::ivec3& value) {
+    glUseProgram(id_);
+    glUniform3i(glGetUniformLocation(id_, name.c_str()), value.x, value.y, value.z);
+    return *this;
+}
+
 Program& Program::set(const std::string& name, const Texture& value) {
     bind(name, GL_TEXTURE_2D, value.id());
     return *this;

@@ -34,6 +34,7 @@ public:
     Program& set(const std::string& name, float value);
     Program& set(const std::string& name, const glm::vec2& value);
     Program& set(const std::string& name, const glm::vec3& value);
+    Program& set(const std::string& name, const glm::ivec3& value);
     Program& set(const std::string& name, const Texture& value);
     Program& set(const std::string& name, const BufferTexture& value);
 

@@ -120,6 +120,9 @@ std::vector<glm::uvec4> read_integers(const Texture& texture) {
 BufferTexture::BufferTexture(std::span<const glm::vec4> texels)
     : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_RGBA32F) {}
 
+BufferTexture::BufferTexture(std::span<const glm::ivec4> texels)
+    : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_RGBA32I) {}
+
 BufferTexture::BufferTexture(std::span<const std::int32_t> texels)
     : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_R32I) {}
 

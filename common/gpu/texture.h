@@ -48,12 +48,14 @@ void write_texels(const Texture& texture, std::span<const glm::uvec4> texels);
 std::vector<glm::vec4> read_floats(const Texture& texture);
 std::vector<glm::uvec4> read_integers(const Texture& texture);
 
-// A one-dimensional array that is read by texelFetch: four floats or one integer a texel.
+// A one-dimensional array that is read by texelFetch: four floats, four integers or one integer a
+// texel.
 // Owns the OpenGL objects.
 class BufferTexture {
 public:
     // Throws MachineError where the array is over the machine's limit, or memory is short.
     explicit BufferTexture(std::span<const glm::vec4> texels);
+    explicit BufferTexture(std::span<const glm::ivec4> texels);
     explicit BufferTexture(std::span<const std::int32_t> texels);
     ~BufferTexture();
     BufferTexture(BufferTexture&& other) noexcept;

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -13,9 +14,14 @@
 namespace raysteps::mirror {
 
 using glm::abs;
+using glm::clamp;
+using glm::floor;
+using glm::ivec3;
 using glm::ivec4;
 using glm::max;
+using glm::min;
 using glm::sqrt;
+using glm::uvec4;
 using glm::vec3;
 using glm::vec4;
 
@@ -25,8 +31,10 @@ struct samplerBuffer {
     std::span<const vec4> texels;
 };
 
+// One integer a texel, or four.
 struct isamplerBuffer {
     std::span<const std::int32_t> texels;
+    std::span<const ivec4> vectors;
 };
 
 // A GPU returns zero for a place outside; here it is a fault.
@@ -36,8 +44,20 @@ inline vec4 texelFetch(const samplerBuffer& buffer, int place) {
 }
 
 inline ivec4 texelFetch(const isamplerBuffer& buffer, int place) {
+    if (!buffer.vectors.empty()) {
+        assert(place >= 0 && static_cast<std::size_t>(place) < buffer.vectors.size());
+        return buffer.vectors[static_cast<std::size_t>(place)];
+    }
     assert(place >= 0 && static_cast<std::size_t>(place) < buffer.texels.size());
     return {buffer.texels[static_cast<std::size_t>(place)], 0, 0, 1};
+}
+
+inline int floatBitsToInt(float value) {
+    return std::bit_cast<std::int32_t>(value);
+}
+
+inline float intBitsToFloat(int bits) {
+    return std::bit_cast<float>(bits);
 }
 // NOLINTEND(readability-identifier-naming)
 

@@ -23,7 +23,8 @@ struct SceneBuffers {
     std::vector<vec4> materials;
 };
 
-// Gives a mirror the buffers, and all triangles in one launch.
+// Gives a mirror the buffers of the scene. A mirror of the loop over every triangle is then
+// complete; others need their structure too.
 template <class Mirror>
 Mirror mirror_of(const SceneBuffers& buffers) {
     Mirror mirror{};
@@ -31,8 +32,9 @@ Mirror mirror_of(const SceneBuffers& buffers) {
     mirror.triangle_normals.texels = buffers.normals;
     mirror.triangle_materials.texels = buffers.triangle_materials;
     mirror.materials.texels = buffers.materials;
-    mirror.first_triangle = 0;
-    mirror.end_triangle = static_cast<int>(buffers.corners.size() / 3);
+    if constexpr (requires { mirror.triangle_count; }) {
+        mirror.triangle_count = static_cast<int>(buffers.corners.size() / 3);
+    }
     return mirror;
 }
 

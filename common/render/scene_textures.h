@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/texture.h"
+#include "render/structure_textures.h"
 #include "scene/scene.h"
 
 namespace raysteps {
@@ -13,8 +13,12 @@ struct SceneTextures {
     BufferTexture normals;            // three texels a triangle
     BufferTexture triangle_materials; // one integer a triangle
     BufferTexture materials;          // three texels a material
+    StructureTextures structure;
 };
 
+SceneTextures upload(const Scene& scene, const BuiltStructure& structure);
+
+// Without a structure: for the loop over every triangle.
 SceneTextures upload(const Scene& scene);
 
 } // namespace raysteps

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace raysteps {
 
@@ -13,25 +12,57 @@ namespace {
 
 // About a second of work for 512 x 512 rays on a small processor: progress can be shown, and no
 // watchdog of a GPU's driver wakes up.
-constexpr int usual_triangles_per_launch = 2048;
+constexpr int usual_rounds_per_launch = 2048;
+
+// The rays that a processor runs side by side may share one loop budget (Mesa's llvmpipe: 8 or 16
+// rays), and each makes its rounds while the others wait.
+constexpr int rays_side_by_side = 16;
+
+// More launches than any walk needs: a billion rounds.
+constexpr int most_launches = 1 << 20;
 
 constexpr float farthest = std::numeric_limits<float>::max();
 
+const std::string nobody = "observer/none.glsl";
+
 Parts with_defaults(Parts parts) {
     parts.try_emplace("structure", "structure/every_triangle.glsl");
-    parts.try_emplace("observer", "observer/none.glsl");
+    parts.try_emplace("observer", nobody);
     return parts;
 }
+
+// What a launch leaves of each walk.
+struct WalkTextures {
+    WalkTextures(int width, int height, bool observed)
+        : hits(TexelFormat::rgba32ui, width, height), places(TexelFormat::rgba32ui, width, height) {
+        if (observed) {
+            observations.emplace(TexelFormat::rgba32ui, width, height);
+        }
+    }
+
+    std::vector<std::reference_wrapper<const Texture>> targets() const {
+        std::vector<std::reference_wrapper<const Texture>> all{hits, places};
+        if (observations) {
+            all.emplace_back(*observations);
+        }
+        return all;
+    }
+
+    Texture hits;
+    Texture places;
+    std::optional<Texture> observations;
+};
 
 } // namespace
 
 TraceRays::TraceRays(Parts parts, const Limits& limits)
-    : TraceRays(std::move(parts), std::min(usual_triangles_per_launch, limits.loop_budget / 2)) {}
+    : TraceRays(std::move(parts),
+                std::min(usual_rounds_per_launch, limits.loop_budget / rays_side_by_side)) {}
 
-TraceRays::TraceRays(Parts parts, int triangles_per_launch)
-    : start_("pass/start_hits.frag"), trace_("pass/trace.frag", with_defaults(std::move(parts))),
-      select_unfinished_("pass/select_unfinished.frag"),
-      triangles_per_launch_(triangles_per_launch) {}
+TraceRays::TraceRays(Parts parts, int rounds_per_launch)
+    : trace_("pass/trace.frag", with_defaults(parts)),
+      select_unfinished_("pass/select_unfinished.frag"), rounds_per_launch_(rounds_per_launch),
+      observed_(parts.contains("observer") && parts.at("observer") != nobody) {}
 
 Texture TraceRays::closest_hits(const RayTextures& rays, const SceneTextures& scene,
                                 const LiveMask* live) {
@@ -47,37 +78,40 @@ Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, co
                          float near_enough) {
     const int width = rays.origins.width();
     const int height = rays.origins.height();
-    Texture last(TexelFormat::rgba32ui, width, height);
-    Texture next(TexelFormat::rgba32ui, width, height);
-    start_.set("ray_origins", rays.origins).set("ray_directions", rays.directions);
-    draw(start_, {.textures = {last}, .live = live});
-
+    WalkTextures last(width, height, observed_);
+    WalkTextures next(width, height, observed_);
     trace_.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("triangle_corners", scene.corners)
-        .set("near_enough", near_enough);
+        .set("near_enough", near_enough)
+        .set("rounds", rounds_per_launch_);
+    bind(trace_, scene.structure);
     std::optional<LiveMask> everywhere;
     const LiveMask& asked = live ? *live : everywhere.emplace(width, height);
-    int step = triangles_per_launch_;
-    int first = 0;
-    while (first < scene.triangle_count) {
-        const int end = first + std::min(step, scene.triangle_count - first);
-        trace_.set("last_hits", last).set("first_triangle", first).set("end_triangle", end);
-        draw(trace_, {.textures = {next}, .live = live});
-        select_unfinished_.set("hits", next);
-        if (count_live(asked, select_unfinished_) > 0) {
-            if (step == 1) {
-                throw MachineError("This machine's OpenGL does not finish a test of one triangle. "
-                                   "Update the driver, or try --context osmesa.");
-            }
-            step /= 2;
-            continue;
+    const double ray_count = static_cast<double>(width) * height;
+    for (launches_ = 1; launches_ <= most_launches; ++launches_) {
+        trace_.set("first_launch", launches_ == 1 ? 1 : 0)
+            .set("last_hits", last.hits)
+            .set("last_places", last.places);
+        if (observed_) {
+            trace_.set("last_observations", *last.observations);
         }
+        draw(trace_, {.textures = next.targets(), .live = live});
         std::swap(last, next);
-        first = end;
-        progress_(static_cast<double>(first) / scene.triangle_count);
+        select_unfinished_.set("places", last.places);
+        const long unfinished = count_live(asked, select_unfinished_);
+        if (unfinished == 0) {
+            progress_(1.0);
+            observations_ = std::move(last.observations);
+            return std::move(last.hits);
+        }
+        const double rounds = static_cast<double>(launches_) * rounds_per_launch_;
+        progress_(scene.structure.longest_walk > 0
+                      ? rounds / scene.structure.longest_walk
+                      : 1.0 - static_cast<double>(unfinished) / ray_count);
     }
-    return last;
+    throw MachineError("This machine's OpenGL does not bring a walk to its end. Update the driver, "
+                       "or try --context osmesa.");
 }
 
 } // namespace raysteps

@@ -7,24 +7,25 @@
 #include "render/scene_textures.h"
 
 #include <functional>
+#include <optional>
 
 namespace raysteps {
 
 // Called while a long trace goes on, with the part that is done, 0 to 1.
 using Progress = std::function<void(double part_done)>;
 
-// The intersection kernel, over every triangle of a scene. A launch tests as many triangles as the
-// platform's loops can bear; each launch goes on from the hits of the one before, in two textures
-// that change places. A launch that was cut short all the same is done again with half the
-// triangles.
+// The traversal and intersection kernel, launched as often as the longest walk needs: a launch
+// makes as many rounds as the platform's loops can bear, and keeps hit and place of each walk in
+// textures, where the next one takes them up. Two sets of textures change places. Source: Wang and
+// Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010.
 class TraceRays {
 public:
     // The parts fill the slots <triangle>, <structure> and <observer> of pass/trace.frag; an
     // observer that nobody names is nobody, and a structure that nobody names is every_triangle.
     TraceRays(Parts parts, const Limits& limits);
 
-    // For tests: launches that begin with this many triangles, however many the loops can bear.
-    TraceRays(Parts parts, int triangles_per_launch);
+    // For tests: launches of so many rounds, however many the loops can bear.
+    TraceRays(Parts parts, int rounds_per_launch);
 
     // A texture of hits as layout/hit_texel.glsl has them. Where a mask is given, only its live
     // pixels are traced, and the others hold nothing of meaning.
@@ -33,16 +34,25 @@ public:
     Texture any_hits(const RayTextures& rays, const SceneTextures& scene,
                      const LiveMask* live = nullptr);
 
+    // What the observer saw of the last trace: one texel a ray, as the file of the observer says.
+    // Nothing where nobody observes.
+    const std::optional<Texture>& observations() const { return observations_; }
+
+    // How many launches the last trace took.
+    int launch_count() const { return launches_; }
+
     void report_progress(Progress progress) { progress_ = std::move(progress); }
 
 private:
     Texture trace(const RayTextures& rays, const SceneTextures& scene, const LiveMask* live,
                   float near_enough);
 
-    Program start_;
     Program trace_;
     Program select_unfinished_;
-    int triangles_per_launch_;
+    int rounds_per_launch_;
+    bool observed_;
+    std::optional<Texture> observations_;
+    int launches_ = 0;
     Progress progress_ = [](double) {};
 };
 

@@ -17,8 +17,9 @@ void set_surfaces(Program& program, const SceneTextures& scene) {
 
 } // namespace
 
-WhittedRenderer::WhittedRenderer(const Scene& scene, const Parts& trace_parts, const Limits& limits)
-    : lights_(scene.lights), background_(scene.background), scene_(upload(scene)),
+WhittedRenderer::WhittedRenderer(const Scene& scene, SceneTextures textures,
+                                 const Parts& trace_parts, const Limits& limits)
+    : lights_(scene.lights), background_(scene.background), scene_(std::move(textures)),
       trace_(trace_parts, limits), start_weights_("pass/start_weights.frag"),
       add_surroundings_("pass/add_surroundings.frag"),
       cast_shadow_rays_("pass/cast_shadow_rays.frag"), add_light_("pass/add_light.frag"),

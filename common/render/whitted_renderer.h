@@ -21,7 +21,9 @@ struct RayCounts {
 // stays black. Source: Whitted, "An Improved Illumination Model for Shaded Display", 1980.
 class WhittedRenderer {
 public:
-    WhittedRenderer(const Scene& scene, const Parts& trace_parts, const Limits& limits);
+    // The textures are those of the scene, with the structure that the parts walk through.
+    WhittedRenderer(const Scene& scene, SceneTextures textures, const Parts& trace_parts,
+                    const Limits& limits);
 
     Image render(const Camera& camera, int width, int height, int max_bounces);
 

@@ -40,14 +40,6 @@ double greatest_coordinate_of(const Box& box) {
 
 } // namespace
 
-Box bounds_of(const Scene& scene) {
-    Box box;
-    for (const glm::vec3& corner : scene.corners) {
-        box = merge(box, corner);
-    }
-    return box;
-}
-
 Camera frame_box(const Box& box, float aspect_ratio) {
     if (is_empty(box)) {
         return {};
@@ -82,7 +74,7 @@ Camera frame_box(const Box& box, float aspect_ratio) {
 }
 
 Camera frame_camera(const Scene& scene, float aspect_ratio) {
-    const Camera camera = frame_box(bounds_of(scene), aspect_ratio);
+    const Camera camera = frame_box(bounds_of(scene.corners), aspect_ratio);
     const glm::vec3 farthest = glm::abs(camera.eye);
     if (!(std::max({farthest.x, farthest.y, farthest.z}) <= greatest_coordinate)) {
         throw InputError(scene.name +

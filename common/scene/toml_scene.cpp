@@ -31,7 +31,7 @@ toml::table parse(std::string_view text, const fs::path& path) {
 }
 
 void check_extent(const Scene& scene, const toml::source_region& source) {
-    const Box box = bounds_of(scene);
+    const Box box = bounds_of(scene.corners);
     for (int axis = 0; axis < 3 && !is_empty(box); ++axis) {
         if (box.lower[axis] < -greatest_coordinate || box.upper[axis] > greatest_coordinate) {
             throw toml_error(source,

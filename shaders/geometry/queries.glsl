@@ -1,4 +1,13 @@
-// The two questions that a ray tracer asks, over whichever find_hit a structure has.
+// The two questions that a ray tracer asks, over whichever structure there is. A GPU asks them in
+// launches (pass/trace.frag); this is the whole walk at once.
+
+Hit find_hit(Ray ray, real near_enough) {
+    Walk walk = start_walk(ray);
+    while (!walk.ended) {
+        walk = go_on(walk, ray, near_enough, 1 << 30);
+    }
+    return walk.nearest;
+}
 
 // The nearest hit of all: nothing is near enough to stop before.
 Hit closest_hit(Ray ray) {

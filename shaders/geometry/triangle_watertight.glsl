@@ -1,89 +1,23 @@
 // Where does this ray meet this triangle? Watertight: a ray that is aimed at an edge or a corner of
-// a closed mesh hits one of the triangles that share it. Source: Woop, Benthin and Wald,
-// "Watertight Ray/Triangle Intersection", 2013.
-//
-// The ray becomes the z axis by a shear, so that the question is one of the plane: does the
-// triangle surround the origin? Each corner is sheared by itself, so two triangles with a common
-// edge see the same two points, and their answers for it are equal but for the sign. Rounding never
-// turns a sign round: of two products, the greater rounds to no less than the smaller. So the
-// difference can become zero, which counts as inside, but never wrong.
-
-struct PreparedRay {
-    real3 origin;
-    real3 shear;
-    real t_min;
-    real t_max;
-    int axis; // where the direction is longest: 0, 1, 2 for x, y, z
-};
-
-// Turns the axes so that the given one comes last.
-real3 axis_last(real3 p, int axis) {
-    real3 last_is_x = real3(p.y, p.z, p.x);
-    real3 last_is_y = real3(p.z, p.x, p.y);
-    return axis == 0 ? last_is_x : (axis == 1 ? last_is_y : p);
-}
-
-PreparedRay prepare_ray(Ray ray) {
-    real x = abs(ray.direction.x);
-    real y = abs(ray.direction.y);
-    real z = abs(ray.direction.z);
-    PreparedRay prepared;
-    prepared.axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    real3 direction = axis_last(ray.direction, prepared.axis);
-    precise real shear_x = direction.x / direction.z;
-    precise real shear_y = direction.y / direction.z;
-    precise real shear_z = real(1.0f) / direction.z;
-    prepared.origin = ray.origin;
-    prepared.shear = real3(shear_x, shear_y, shear_z);
-    prepared.t_min = ray.t_min;
-    prepared.t_max = ray.t_max;
-    return prepared;
-}
-
-real3 sheared(PreparedRay ray, real3 corner) {
-    real3 p = axis_last(corner - ray.origin, ray.axis);
-    precise real x = p.x - ray.shear.x * p.z;
-    precise real y = p.y - ray.shear.y * p.z;
-    precise real z = ray.shear.z * p.z;
-    return real3(x, y, z);
-}
-
-// Twice the area of the triangle (origin, a, b) in the plane; on exchange of a and b, only the sign
-// changes.
-real edge_area(real3 a, real3 b) {
-    precise real area = a.x * b.y - a.y * b.x;
-    return area;
-}
+// a closed mesh hits one of the triangles that share it. The areas are computed without an error
+// that counts, so the shares, and t with them, are right even where the ray grazes the triangle or
+// the triangle is a sliver: the hit always lies at the triangle. Structures rely on that (see
+// common/structure/padding.h).
+#include "geometry/watertight_shear.glsl"
+#include "geometry/exact_area.glsl"
 
 Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int triangle) {
     real3 p = sheared(ray, a);
     real3 q = sheared(ray, b);
     real3 r = sheared(ray, c);
-
-    real weight_a = edge_area(q, r);
-    real weight_b = edge_area(r, p);
-    real weight_c = edge_area(p, q);
-    precise real det = weight_a + weight_b + weight_c;
-
-    real zero = real(0.0f);
-    bool none_negative = weight_a >= zero && weight_b >= zero && weight_c >= zero;
-    bool none_positive = weight_a <= zero && weight_b <= zero && weight_c <= zero;
-    bool inside = (none_negative || none_positive) && det != zero;
-
-    // Shares before distances: an area times a length could be too large for the numbers at hand.
-    precise real share_a = weight_a / det;
-    precise real u = weight_b / det;
-    precise real v = weight_c / det;
-    precise real t = share_a * p.z + u * q.z + v * r.z;
-    bool on_ray = t >= ray.t_min && t <= ray.t_max;
-
-    // Rounding may bring u + v over 1 by a hair; 1 - u is the most that v can be.
-    precise real most = real(1.0f) - u;
-
-    Hit hit;
-    hit.t = t;
-    hit.u = u;
-    hit.v = v < most ? v : most;
-    hit.triangle = inside && on_ray ? triangle : no_triangle;
-    return hit;
+    Halves px = halves(p.x);
+    Halves py = halves(p.y);
+    Halves qx = halves(q.x);
+    Halves qy = halves(q.y);
+    Halves rx = halves(r.x);
+    Halves ry = halves(r.y);
+    real area_a = exact_area(q, r, qx, qy, rx, ry);
+    real area_b = exact_area(r, p, rx, ry, px, py);
+    real area_c = exact_area(p, q, px, py, qx, qy);
+    return watertight_hit(ray, p, q, r, real3(area_a, area_b, area_c), triangle);
 }

@@ -8,7 +8,3 @@ struct Hit {
 };
 
 const int no_triangle = -1;
-
-// The mark of a walk that the platform cut short: not a miss, and no answer at all. It is done
-// again.
-const int unfinished_walk = -2;

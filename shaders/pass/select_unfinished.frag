@@ -1,15 +1,10 @@
 #version 410 core
-// Draws the pixels whose walk was cut short, so that a query can count them.
-#include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
+// Draws the pixels whose walk has not ended, so that a query can count them.
 
-uniform usampler2D hits;
+uniform usampler2D places;
 
 void main() {
-    Hit hit = unpack_hit(texelFetch(hits, ivec2(gl_FragCoord.xy), 0));
-    if (hit.triangle != unfinished_walk) {
+    if (texelFetch(places, ivec2(gl_FragCoord.xy), 0).w != 0u) {
         discard;
     }
 }

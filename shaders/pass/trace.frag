@@ -1,11 +1,14 @@
 #version 410 core
-// One launch of a walk: each ray goes on from its last hit (the paper's `lasthit`).
+// One launch of a walk. The first one starts it; each other goes on where the last one stopped,
+// with the hit that it had (the paper's `lasthit`).
 #include <real>
 #include "layout/far.glsl"
 #include "layout/ray.glsl"
 #include "layout/hit.glsl"
+#include "layout/walk.glsl"
 #include "layout/ray_texels.glsl"
 #include "layout/hit_texel.glsl"
+#include "layout/walk_texels.glsl"
 #include "layout/triangles.glsl"
 #include "geometry/vector.glsl"
 #include "geometry/ray.glsl"
@@ -16,22 +19,31 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
+uniform bool first_launch;
 uniform usampler2D last_hits;
+uniform usampler2D last_places;
+uniform usampler2D last_observations;
 uniform float near_enough; // a hit at most this far ends the walk: see geometry/queries.glsl
+uniform int rounds;        // what the platform's loops can bear in one launch
 
-out uvec4 hit_texel;
+layout(location = 0) out uvec4 hit_texel;
+layout(location = 1) out uvec4 place_texel;
+layout(location = 2) out uvec4 observation_texel; // drawn only where an observer is at work
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Hit best = unpack_hit(texelFetch(last_hits, pixel, 0));
-    bool has_answer = is_hit(best) && best.t <= near_enough;
-    if (has_answer || is_empty(ray)) {
-        hit_texel = pack_hit(best);
-        return;
+    Walk walk;
+    if (first_launch) {
+        walk = start_walk(ray);
+    } else {
+        walk = unpack_walk(texelFetch(last_hits, pixel, 0), texelFetch(last_places, pixel, 0));
+        observe_from(texelFetch(last_observations, pixel, 0));
     }
-    // What lies behind the best hit so far cannot win any more.
-    ray.t_max = best.t;
-    Hit hit = find_hit(ray, near_enough);
-    hit_texel = pack_hit(hit.triangle == unfinished_walk || is_nearer(hit, best) ? hit : best);
+    if (!walk.ended) {
+        walk = go_on(walk, ray, near_enough, rounds);
+    }
+    hit_texel = pack_hit(walk.nearest);
+    place_texel = pack_place(walk);
+    observation_texel = observations();
 }

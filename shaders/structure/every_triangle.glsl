@@ -1,25 +1,32 @@
 // No structure: the loop over every triangle, which all structures have to agree with, bit for bit.
-// One launch tests the triangles [first_triangle, end_triangle), since some platforms stop a long
-// loop silently. The host sees to the rest.
-uniform int first_triangle;
-uniform int end_triangle;
+// place.x is the next triangle.
+uniform int triangle_count;
 
-Hit find_hit(Ray ray, real near_enough) {
+Walk start_walk(Ray ray) {
+    Walk walk;
+    walk.nearest = miss(ray);
+    walk.place = ivec3(0);
+    walk.ended = is_empty(ray) || triangle_count == 0;
+    return walk;
+}
+
+Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
     PreparedRay prepared = prepare_ray(ray);
-    Hit nearest = miss(ray);
-    bool stopped = false;
-    int i = first_triangle;
-    for (; i < end_triangle && !stopped; ++i) {
+    Hit nearest = walk.nearest;
+    bool found = false;
+    int i = walk.place.x;
+    int end = rounds < triangle_count - i ? i + rounds : triangle_count;
+    for (; i < end && !found; ++i) {
         observe_test(i);
         Hit hit = intersect_triangle(prepared, triangle_corner(i, 0), triangle_corner(i, 1),
                                      triangle_corner(i, 2), i);
         if (is_nearer(hit, nearest)) {
             nearest = hit;
-            stopped = hit.t <= near_enough;
+            found = hit.t <= near_enough;
         }
     }
-    if (i < end_triangle && !stopped) {
-        nearest.triangle = unfinished_walk;
-    }
-    return nearest;
+    walk.nearest = nearest;
+    walk.place.x = i;
+    walk.ended = found || i == triangle_count;
+    return walk;
 }

@@ -97,9 +97,9 @@ TEST_CASE("how the triangles are dealt out to launches changes no bit", "[02][la
     const std::vector<Ray> rays = random_rays(numbers, 2000);
     const auto context = make_context(ContextKind::automatic);
     const std::vector<Hit> at_once = gpu_hits(scene, rays, "watertight", 1000);
-    for (const int triangles_per_launch : {1, 7, 64, 999}) {
-        CAPTURE(triangles_per_launch);
-        CHECK(count_different(at_once, gpu_hits(scene, rays, "watertight", triangles_per_launch)) ==
+    for (const int rounds_per_launch : {1, 7, 64, 999}) {
+        CAPTURE(rounds_per_launch);
+        CHECK(count_different(at_once, gpu_hits(scene, rays, "watertight", rounds_per_launch)) ==
               0);
     }
 }

@@ -96,9 +96,8 @@ TEST_CASE("of equal distances the smallest triangle wins on the GPU and in the m
     const Scene scene = scene_of(mesh);
     CHECK(hit_of(scene, down(0.25f, 0.25f)).triangle == 1);
     const auto context = make_context(ContextKind::automatic);
-    for (const int triangles_per_launch : {1000, 2048}) {
-        CHECK(gpu_hits(scene, std::vector<Ray>{down(0.25f, 0.25f)}, "watertight",
-                       triangles_per_launch)
+    for (const int rounds_per_launch : {1000, 2048}) {
+        CHECK(gpu_hits(scene, std::vector<Ray>{down(0.25f, 0.25f)}, "watertight", rounds_per_launch)
                   .front()
                   .triangle == 1);
     }

@@ -74,11 +74,12 @@ TEST_CASE("the wavefront paints what the recursive reference paints", "[03][refe
 
 TEST_CASE("a scene of any size gives the same picture bit for bit", "[03][hard_case]") {
     // A power of two changes no bit of a float but its exponent: what differs has overflowed or
-    // underflowed.
+    // underflowed. (Far below 2^-30, products are under least_product of layout/real_float.glsl,
+    // and the areas are no longer exact.)
     const auto context = make_context(ContextKind::automatic);
     const Scene scene = load_scene("mirrors", 1.0f);
     const Image expected = whitted_by_gpu(scene, 32, 32, 3);
-    for (const int exponent : {-40, -20, 20, 40, 50}) {
+    for (const int exponent : {-30, -20, 20, 40, 50}) {
         CAPTURE(exponent);
         Scene scaled = scene;
         const auto scale = [&](glm::vec3& point) { point *= std::ldexp(1.0f, exponent); };

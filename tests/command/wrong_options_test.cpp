@@ -36,7 +36,8 @@ TEST_CASE("an unknown triangle test is refused with the names of all", "[command
     const Workplace workplace("triangle");
     for (const std::string chapter : {"02_triangles", "03_shading"}) {
         check_refusal(workplace, chapter, {"--triangle", "best"}, 2,
-                      {"--triangle best", "moeller_trumbore, ", "paper_repaired, ", "watertight."});
+                      {"--triangle best", "moeller_trumbore, ", "paper_repaired, ",
+                       "watertight, watertight_rounded."});
     }
 }
 

@@ -17,7 +17,7 @@ bool has_corner(const Scene& scene, const glm::vec3& corner) {
 
 TEST_CASE("the Cornell box has the measured size", "[scene]") {
     const Scene scene = sample_cornell_box();
-    const Box box = bounds_of(scene);
+    const Box box = bounds_of(scene.corners);
     REQUIRE(box.lower == glm::vec3(0.0f));
     REQUIRE(box.upper == glm::vec3(556.0f, 548.8f, 559.2f)); // the floor is 552.8 wide in front
     REQUIRE(has_corner(scene, {552.8f, 0.0f, 0.0f}));

@@ -72,8 +72,8 @@ Box random_box() {
 
 TEST_CASE("the bounds of a scene are those of its corners", "[scene]") {
     const Scene scene = add_mesh({}, box({-1.0f, -2.0f, -3.0f}, {4.0f, 5.0f, 6.0f}), {});
-    REQUIRE(bounds_of(scene).lower == glm::vec3(-1.0f, -2.0f, -3.0f));
-    REQUIRE(bounds_of(scene).upper == glm::vec3(4.0f, 5.0f, 6.0f));
+    REQUIRE(bounds_of(scene.corners).lower == glm::vec3(-1.0f, -2.0f, -3.0f));
+    REQUIRE(bounds_of(scene.corners).upper == glm::vec3(4.0f, 5.0f, 6.0f));
     REQUIRE(is_empty(bounds_of({})));
 }
 

@@ -22,7 +22,7 @@ Scene read(const std::string& text) {
 
 // Of a pyramid over the square from -1 to 1, of height 1.5.
 Box bounds_of_model(const std::string& keys) {
-    return bounds_of(read("[[model]]\npath = 'pyramid.obj'\n" + keys));
+    return bounds_of(read("[[model]]\npath = 'pyramid.obj'\n" + keys).corners);
 }
 
 std::string text_of_file(const std::filesystem::path& path) {
@@ -49,7 +49,7 @@ TEST_CASE("a scene file gives camera and lights and models", "[scene][toml]") {
     REQUIRE(scene.models.size() == 2);
     REQUIRE(std::filesystem::path(scene.models[0].path).is_absolute());
     REQUIRE(count_open_edges(scene.corners) == 0);
-    REQUIRE(bounds_of(scene).upper.y == 3.0f);
+    REQUIRE(bounds_of(scene.corners).upper.y == 3.0f);
 }
 
 TEST_CASE("a light is white where the file names no color", "[scene][toml]") {

@@ -3,6 +3,8 @@
 #include "gpu/context.h"
 #include "render/trace_rays.h"
 #include "scene/mesh.h"
+#include "structure/families.h"
+#include "structure/reach.h"
 
 #include <string>
 #include <vector>
@@ -16,10 +18,23 @@ inline Scene scene_of(const Mesh& mesh) {
 
 // The hits that the GPU finds with the triangle test of that name. A context must be current.
 inline std::vector<Hit> gpu_hits(const Scene& scene, std::span<const Ray> rays,
-                                 const std::string& triangle, int triangles_per_launch = 2048) {
-    TraceRays trace({{"triangle", "geometry/triangle_" + triangle + ".glsl"}},
-                    triangles_per_launch);
+                                 const std::string& triangle, int rounds_per_launch = 2048) {
+    TraceRays trace({{"triangle", "geometry/triangle_" + triangle + ".glsl"}}, rounds_per_launch);
     const SceneTextures textures = upload(scene);
+    return read_hits(trace.closest_hits(upload_rays(rays), textures), rays.size());
+}
+
+// The same with the watertight test and a structure, built for those rays with the values given.
+inline std::vector<Hit> gpu_hits_of(const Scene& scene, std::span<const Ray> rays,
+                                    const std::string& structure,
+                                    const std::map<std::string, std::string>& values = {},
+                                    int rounds_per_launch = 2048) {
+    TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"},
+                     {"structure", "structure/" + structure + ".glsl"}},
+                    rounds_per_launch);
+    const BuiltStructure built =
+        family_of(structure).build(scene.corners, {reach_of(rays, scene.corners), values});
+    const SceneTextures textures = upload(scene, built);
     return read_hits(trace.closest_hits(upload_rays(rays), textures), rays.size());
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "command/command.h"
+#include "geometry/layout.h"
+#include "gpu/read_shader.h"
+#include "structure/structure_family.h"
+
+#include <span>
+
+namespace raysteps {
+
+// --triangle --structure --rays --hits, of the chapters that trace, and the options of all
+// builders.
+void add_tracing_options(CLI::App& app, Command& command);
+
+// The parts that --triangle and --structure ask for. Throws InputError.
+Parts trace_parts(const Command& command);
+
+// The structure of --structure over the scene, for rays from the scene's camera (and from wherever
+// a person in a window may go), or for the rays given. Prints the facts of it.
+BuiltStructure build_structure(const Command& command, const Scene& scene);
+BuiltStructure build_structure(const Command& command, const Scene& scene,
+                               std::span<const Ray> rays);
+
+} // namespace raysteps

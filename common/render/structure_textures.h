@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gpu/program.h"
+#include "structure/structure_family.h"
+
+#include <map>
+#include <string>
+
+namespace raysteps {
+
+// A structure as the kernels read it, by the names of their uniforms.
+struct StructureTextures {
+    std::map<std::string, BufferTexture> buffers{};
+    std::map<std::string, glm::vec3> points{};
+    std::map<std::string, glm::ivec3> counts{};
+    std::map<std::string, int> numbers{};
+    int longest_walk = 0; // in rounds, where it is known; else 0
+};
+
+// Throws MachineError where an array is over the machine's limit, or memory is short.
+StructureTextures upload(const BuiltStructure& built);
+
+// Gives a program that has the structure's part its arrays and numbers.
+void bind(Program& program, const StructureTextures& structure);
+
+} // namespace raysteps

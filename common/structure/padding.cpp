@@ -1,0 +1,53 @@
+#include "structure/padding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raysteps {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// Where nothing has an extent, the padding must not be zero all the same.
+constexpr double least_reach = 0x1p-100;
+
+float at_most(double value) {
+    const auto rounded = static_cast<float>(value);
+    return std::nextafter(rounded, -infinity);
+}
+
+float at_least(double value) {
+    const auto rounded = static_cast<float>(value);
+    return std::nextafter(rounded, infinity);
+}
+
+} // namespace
+
+double padding_for(double reach) {
+    return 0x1p-19 * std::max(reach, least_reach); // 32 e = 2^5 * 2^-24
+}
+
+double usual_reach(const Box& bounds, double asked) {
+    if (is_empty(bounds)) {
+        return asked;
+    }
+    double side = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        side = std::max(side, static_cast<double>(bounds.upper[axis]) -
+                                  static_cast<double>(bounds.lower[axis]));
+    }
+    return std::max(4.0 * side, asked);
+}
+
+Box pad(const Box& box, double padding) {
+    Box padded;
+    for (int axis = 0; axis < 3; ++axis) {
+        padded.lower[axis] = at_most(static_cast<double>(box.lower[axis]) - padding);
+        padded.upper[axis] = at_least(static_cast<double>(box.upper[axis]) + padding);
+    }
+    return padded;
+}
+
+} // namespace raysteps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "geometry/box.h"
+
+namespace raysteps {
+
+// How far a structure must take a triangle to reach beyond its corners, so that no walk misses a
+// hit by rounding.
+//
+// Let e = 2^-24, the most by which single precision rounds, and M the greatest distance along one
+// axis from a ray's origin to a corner or to a plane of the structure (the reach). A hit of
+// geometry/triangle_watertight.glsl at t has a point P of its triangle with |origin + t * direction
+// - P| <= 23 e M along each axis: 6 e M from the sheared corners, 17 e M from the shares and the
+// sum that makes t (docs/numerics.md has each term). A plane's distance (plane - origin) /
+// direction is rounded twice, which is 2 e M; the point where a walk starts, another 2 e M. So P
+// lies within 27 e M of the cell that the walk holds for the one at t. 32 e M leaves room for terms
+// in e^2 and for the arithmetic of the builder, which is in double.
+double padding_for(double reach);
+
+// The reach that serves rays with origins in the scene or around it: four times the largest side
+// of the box, or what is asked for, whichever is more.
+double usual_reach(const Box& bounds, double asked);
+
+// The box with its sides moved outwards by the padding and then to the next number outside, so that
+// rounding takes nothing away.
+Box pad(const Box& box, double padding);
+
+} // namespace raysteps
