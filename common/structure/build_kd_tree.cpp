@@ -66,7 +66,7 @@ KdTree build_kd_tree(std::span<const glm::vec3> corners, const KdOptions& option
     }
     KdGrowth trunk = grow(plan, std::move(bud), fewest_of_trunk(triangles));
     std::vector<KdTree> branches(trunk.left_over.size());
-    on_all_threads(branches.size(), [&](std::size_t i) {
+    on_threads(options.threads, branches.size(), [&](std::size_t i) {
         branches[i] = grow(plan, std::move(trunk.left_over[i]), 0).tree;
     });
     KdTree tree = std::move(trunk.tree);

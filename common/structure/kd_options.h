@@ -20,7 +20,8 @@ struct KdOptions {
     int depth_limit = -1;     // of a leaf, the root being at 0; below 0, 8 + 1.3 log2 n
     int bad_splits = 2; // in a row that may not pay by themselves, in the hope of a better one
     float reach = 0.0f; // see usual_reach in structure/padding.h
-    std::size_t most_bytes = std::size_t{2} << 30; // of the finished tree
+    std::size_t most_bytes = std::size_t{4} << 30; // of the finished tree
+    unsigned threads = 0; // that build it; 0: as many as the machine has cores
 };
 
 } // namespace raysteps

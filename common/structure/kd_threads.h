@@ -9,10 +9,11 @@
 
 namespace raysteps {
 
-// Calls work(i) once for each i < count, on all cores, in any order. The calls must not disturb
+// Calls work(i) once for each i < count, on so many threads (0: as many as the machine has cores),
+// in any order. The calls must not disturb
 // each other. What one of them throws is thrown here when all threads have stopped.
 template <class Work>
-void on_all_threads(std::size_t count, const Work& work) {
+void on_threads(unsigned threads, std::size_t count, const Work& work) {
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::mutex failure_mutex;
@@ -28,8 +29,9 @@ void on_all_threads(std::size_t count, const Work& work) {
         }
     };
     {
+        const unsigned wanted = threads == 0 ? std::thread::hardware_concurrency() : threads;
         std::vector<std::jthread> helpers; // their destructors wait for them
-        for (unsigned i = 1; i < std::thread::hardware_concurrency() && i < count; ++i) {
+        for (unsigned i = 1; i < wanted && i < count; ++i) {
             helpers.emplace_back(take_work);
         }
         take_work();

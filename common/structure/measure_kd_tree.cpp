@@ -6,26 +6,11 @@
 
 namespace raysteps {
 
-namespace {
-
-std::size_t different(std::vector<int> references) {
-    std::sort(references.begin(), references.end());
-    return static_cast<std::size_t>(std::unique(references.begin(), references.end()) -
-                                    references.begin());
-}
-
-} // namespace
-
 KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options) {
     KdMeasures measures;
     measures.nodes = tree.nodes.size();
     measures.references = tree.references.size();
-    measures.triangles = different(tree.references);
     measures.bytes = bytes_of(tree);
-    if (measures.triangles > 0) {
-        measures.references_per_triangle =
-            static_cast<double>(measures.references) / static_cast<double>(measures.triangles);
-    }
     const double whole = half_area(tree.boxes.front());
     std::vector<int> depths(tree.nodes.size(), 0);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -40,9 +25,9 @@ KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options) {
             cost = options.intersection_cost * static_cast<double>(count);
             ++measures.leaves;
             measures.empty_leaves += count == 0 ? 1 : 0;
-            measures.largest_leaf = std::max(measures.largest_leaf, count);
+            measures.longest_leaf = std::max(measures.longest_leaf, count);
         }
-        if (measures.triangles > 0) {
+        if (!tree.references.empty()) {
             measures.cost += cost * half_area(tree.boxes[i]) / whole;
         }
     }

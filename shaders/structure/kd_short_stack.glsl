@@ -1,0 +1,89 @@
+// A kd-tree, walked with a stack that remembers the last eight nodes put off, and forgets those
+// before. When it is empty, down again, not from the root, but from the last node that holds the
+// whole rest of the ray (push-down). Source: Horn, Sugerman, Houston and Hanrahan, "Interactive k-D
+// tree GPU raytracing", 2007.
+#include "geometry/kd_descent.glsl"
+#include "geometry/kd_leaf.glsl"
+#include "layout/kd_tree.glsl"
+
+const int short_stack_size = 8;
+
+// The entry at the top stands at (top - 1) % short_stack_size.
+struct ShortStack {
+    int places[8]; // nodes that the ray comes to at its present exit
+    real exits[8]; // where it leaves them
+    int top;       // how many were ever put in
+    int filled;    // how many of the last ones are still there
+};
+
+ShortStack empty_stack() {
+    ShortStack stack;
+    for (int i = 0; i < short_stack_size; ++i) {
+        stack.places[i] = kd_root;
+        stack.exits[i] = real(0.0f);
+    }
+    stack.top = 0;
+    stack.filled = 0;
+    return stack;
+}
+
+ShortStack pushed(ShortStack stack, int place, real exit) {
+    stack.places[stack.top % short_stack_size] = place;
+    stack.exits[stack.top % short_stack_size] = exit;
+    stack.top = stack.top + 1;
+    stack.filled = min(stack.filled + 1, short_stack_size);
+    return stack;
+}
+
+ShortStack popped(ShortStack stack) {
+    stack.top = stack.top - 1;
+    stack.filled = stack.filled - 1;
+    return stack;
+}
+
+Walk start_walk(Ray ray) {
+    return start_kd_walk(ray);
+}
+
+// A launch begins with an empty stack. place.y is the node that holds the rest of the ray.
+Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
+    PreparedRay prepared = prepare_ray(ray);
+    real end = part_in_tree(ray).exit;
+    ShortStack stack = empty_stack();
+    int holds_rest = walk.place.y;
+    KdVisit visit;
+    visit.walk = walk;
+    visit.rounds = rounds;
+    while (visit.rounds > 0 && !visit.walk.ended) {
+        real t = reached(visit.walk);
+        KdDescent leaf;
+        leaf.place = holds_rest;
+        leaf.exit = end;
+        bool from_stack = stack.filled > 0;
+        if (from_stack) {
+            stack = popped(stack);
+            leaf.place = stack.places[stack.top % short_stack_size];
+            leaf.exit = stack.exits[stack.top % short_stack_size];
+        }
+        leaf.node = kd_node(leaf.place);
+        leaf.steps = 1;
+        observe_visit(leaf.place);
+        bool whole_rest = !from_stack;
+        while (leaf.node.axis != kd_leaf) {
+            KdStep taken = step_down(leaf.node, ray, t, leaf.exit);
+            if (taken.other >= 0) {
+                stack = pushed(stack, taken.other, leaf.exit);
+                whole_rest = false;
+            }
+            leaf.place = taken.child;
+            leaf.node = kd_node(taken.child);
+            leaf.exit = taken.exit;
+            leaf.steps = leaf.steps + 1;
+            observe_visit(taken.child);
+            holds_rest = whole_rest ? taken.child : holds_rest;
+        }
+        visit = visit_leaf(visit.walk, leaf, prepared, end, near_enough, visit.rounds - leaf.steps);
+        visit.walk.place.y = holds_rest;
+    }
+    return visit.walk;
+}
