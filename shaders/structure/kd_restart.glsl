@@ -1,8 +1,9 @@
 // A kd-tree, walked without a stack: after each leaf, down again from the root. Source: Foley and
 // Sugerman, "KD-tree acceleration structures for a GPU raytracer", 2005.
+#include "layout/kd_tree.glsl"
+
 #include "geometry/kd_descent.glsl"
 #include "geometry/kd_leaf.glsl"
-#include "layout/kd_tree.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

@@ -2,9 +2,10 @@
 // before. When it is empty, down again, not from the root, but from the last node that holds the
 // whole rest of the ray (push-down). Source: Horn, Sugerman, Houston and Hanrahan, "Interactive k-D
 // tree GPU raytracing", 2007.
+#include "layout/kd_tree.glsl"
+
 #include "geometry/kd_descent.glsl"
 #include "geometry/kd_leaf.glsl"
-#include "layout/kd_tree.glsl"
 
 const int short_stack_size = 8;
 
