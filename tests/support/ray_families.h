@@ -44,7 +44,9 @@ inline std::vector<Ray> rays_at_triangles(RandomNumbers& numbers,
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const std::size_t a = any_corner(numbers, corners);
-        const glm::vec3 inside = 0.5f * (corners[a] + point_on_edge(numbers, corners));
+        const glm::vec3 b = corners[a - a % 3 + (a + 1) % 3];
+        const glm::vec3 c = corners[a - a % 3 + (a + 2) % 3];
+        const glm::vec3 inside = 0.5f * (corners[a] + b + numbers.unit() * (c - b));
         const glm::vec3 origin = point_around(numbers, corners);
         rays.push_back({origin, inside - origin, 0.0f, no_end});
     }
