@@ -35,6 +35,7 @@ struct TriangleOverlap {
     bool is_box = false; // the box around the triangle decides, and the last two are not set
 };
 
+// The triangle, padded, lies within the grid.
 TriangleOverlap prepare_overlap(const GridShape& shape, const glm::vec3& a, const glm::vec3& b,
                                 const glm::vec3& c);
 
