@@ -14,14 +14,18 @@ public:
     // The count is that of the rays: textures may hold empty ones behind them.
     Texture closest_hits(const RayTextures& rays, std::size_t ray_count);
 
-    // Prints how many tests a second the last trace made, and writes the numbers of --json.
+    // What the observer saw of the last trace; nothing where nobody observes.
+    const std::optional<Texture>& observations() const { return trace_.observations(); }
+
+    // Prints how many rays (and of the loop over every triangle, tests) a second the last trace
+    // made, and writes the numbers of --json.
     void report() const;
 
 private:
     const Command& command_;
     const SceneTextures& scene_;
     TraceRays trace_;
-    double tests_ = 0.0;
+    double rays_ = 0.0;
     double seconds_ = 0.0;
 };
 

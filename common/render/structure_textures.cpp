@@ -6,7 +6,8 @@ StructureTextures upload(const BuiltStructure& built) {
     StructureTextures textures{.points = built.packed.points,
                                .counts = built.packed.counts,
                                .numbers = built.packed.numbers,
-                               .longest_walk = built.longest_walk};
+                               .longest_walk = built.longest_walk,
+                               .facts = built.facts};
     for (const auto& [name, texels] : built.packed.vectors) {
         textures.buffers.emplace(name, std::span(texels));
     }

@@ -15,6 +15,7 @@ struct StructureTextures {
     std::map<std::string, glm::ivec3> counts{};
     std::map<std::string, int> numbers{};
     int longest_walk = 0; // in rounds, where it is known; else 0
+    std::vector<Fact> facts{};
 };
 
 // Throws MachineError where an array is over the machine's limit, or memory is short.

@@ -1,0 +1,67 @@
+#include "plot_resolution.h"
+
+#include "command/deliver.h"
+#include "command/progress.h"
+#include "measure/measure_structures.h"
+#include "report/plot.h"
+
+#include <iostream>
+
+namespace raysteps {
+
+namespace {
+
+// Few cells mean long lists: a big scene would take minutes to show what everybody knows.
+constexpr double most_triangles_a_cell = 3000.0;
+
+const std::vector<int> resolutions{1, 2, 4, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+
+} // namespace
+
+void plot_resolution(const Command& command, const Scene& scene) {
+    PlotLine visits{"cells visited", {}};
+    PlotLine tests{"triangles tested", {}};
+    PlotLine time{"time in ns", {}};
+    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    const Limits limits = measure_limits();
+    const auto progress = show_progress("resolutions");
+    double done = 0.0;
+    for (const int resolution : resolutions) {
+        progress(done++ / static_cast<double>(resolutions.size()));
+        if (triangle_count(scene) / static_cast<double>(resolution * resolution) >
+            most_triangles_a_cell) {
+            continue;
+        }
+        MeasureRequest request{.structures = {command.structure},
+                               .build_values = command.build_values,
+                               .triangle = command.triangle,
+                               .width = command.width,
+                               .height = command.height};
+        request.build_values["resolution"] = std::to_string(resolution);
+        const std::vector<StructureCosts> costs =
+            measure_structures(scene, request, limits, [](double) {});
+        const RayCosts& primary = costs.front().kinds.front();
+        visits.points.push_back({static_cast<double>(resolution), primary.visits_a_ray});
+        tests.points.push_back({static_cast<double>(resolution), primary.tests_a_ray});
+        time.points.push_back({static_cast<double>(resolution), 1000.0 / primary.median});
+        numbers.push_back({{"resolution", resolution},
+                           {"visits_a_ray", primary.visits_a_ray},
+                           {"tests_a_ray", primary.tests_a_ray},
+                           {"nanoseconds_a_ray", 1000.0 / primary.median}});
+    }
+    progress(1.0);
+    const std::filesystem::path path = command.out / (picture_name(command) + "_resolution.png");
+    write_plot(path, {.title = "A grid over " + scene.name + ": what a ray costs",
+                      .x_label = "cells along the longest side",
+                      .y_label = "a ray",
+                      .x_scale = PlotScale::logarithmic,
+                      .y_scale = PlotScale::logarithmic,
+                      .lines = {visits, tests, time}});
+    std::cout << "wrote     " << path.string() << "\n";
+    deliver_numbers(command, {{"scene", command.scene},
+                              {"structure", command.structure},
+                              {"renderer", renderer_name()},
+                              {"resolutions", numbers}});
+}
+
+} // namespace raysteps

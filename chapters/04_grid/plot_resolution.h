@@ -1,0 +1,13 @@
+#pragma once
+
+#include "command/command.h"
+#include "scene/scene.h"
+
+namespace raysteps {
+
+// Builds grids from 1 to 256 cells along the longest side, traces the scene's primary rays through
+// each, and plots visits, tests and time a ray against the resolution: NAME_resolution.png in the
+// folder of --out. A context must be current.
+void plot_resolution(const Command& command, const Scene& scene);
+
+} // namespace raysteps

@@ -1,0 +1,86 @@
+#include "command/show_trace.h"
+
+#include "command/deliver.h"
+#include "command/timed_trace.h"
+#include "command/tracing_options.h"
+#include "gpu/shader_catalog.h"
+#include "image/heat_map.h"
+#include "render/generate_rays.h"
+#include "render/show_hits.h"
+
+namespace raysteps {
+
+namespace {
+
+enum class Counted { nothing, visits, tests };
+
+Counted counted_in(const std::string& view) {
+    if (view == "visits") {
+        return Counted::visits;
+    }
+    return view == "tests" ? Counted::tests : Counted::nothing;
+}
+
+std::string title_of(Counted counted, const std::string& structure) {
+    return structure + (counted == Counted::visits ? ": cells or nodes visited a ray"
+                                                   : ": triangles tested a ray");
+}
+
+// Texels come bottom row first, a heat map wants the top one first.
+Image heat_map_of(const Texture& observations, Counted counted, const std::string& structure) {
+    const std::vector<glm::uvec4> texels = read_integers(observations);
+    const int width = observations.width();
+    const int height = observations.height();
+    std::vector<float> values;
+    values.reserve(texels.size());
+    for (int row = height - 1; row >= 0; --row) {
+        for (int column = 0; column < width; ++column) {
+            const glm::uvec4& texel =
+                texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(column)];
+            values.push_back(static_cast<float>(counted == Counted::visits ? texel.x : texel.y));
+        }
+    }
+    return heat_map(values, width, height, auto_range(values), title_of(counted, structure));
+}
+
+} // namespace
+
+void add_view_option(CLI::App& app, std::string& view) {
+    std::string names;
+    for (const NamedPart& part : list_parts("view")) {
+        names += part.name + ", ";
+    }
+    app.add_option("--view", view, names + "visits or tests (heat maps)")->capture_default_str();
+}
+
+void show_trace(const Command& command, const std::string& view) {
+    Parts parts = trace_parts(command);
+    const Counted counted = counted_in(view);
+    const std::string view_part = counted == Counted::nothing ? find_part("view", view) : "";
+    const Scene scene = open_scene(command);
+    const auto context = open_context(command);
+    if (!command.rays.empty()) {
+        trace_ray_file(command, parts, scene);
+        return;
+    }
+    if (counted != Counted::nothing) {
+        parts["observer"] = "observer/count.glsl";
+    }
+    const SceneTextures textures = upload(scene, build_structure(command, scene));
+    TimedTrace trace(command, parts, textures);
+    const std::string name = picture_name(command) + "_" + command.structure + "_" + view;
+    deliver(
+        command, *context, scene.camera, name, [&](const Camera& camera, int width, int height) {
+            const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
+            const Texture hits = trace.closest_hits(rays, static_cast<std::size_t>(width) *
+                                                              static_cast<std::size_t>(height));
+            if (counted != Counted::nothing) {
+                return heat_map_of(*trace.observations(), counted, command.structure);
+            }
+            return show_hits(rays, hits, textures, camera, scene.background, view_part);
+        });
+    trace.report();
+}
+
+} // namespace raysteps

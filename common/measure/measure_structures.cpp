@@ -1,0 +1,156 @@
+#include "measure/measure_structures.h"
+
+#include "error/error.h"
+#include "gpu/shader_catalog.h"
+#include "measure/ray_kinds.h"
+#include "render/generate_rays.h"
+#include "structure/families.h"
+#include "structure/reach.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cstring>
+
+namespace raysteps {
+
+namespace {
+
+// One structure, ready to trace.
+struct Contender {
+    std::string structure;
+    std::vector<Fact> facts;
+    SceneTextures scene;
+    TraceRays trace;
+    TraceRays count;
+};
+
+Parts parts_of(const MeasureRequest& request, const std::string& structure,
+               const std::string& observer) {
+    return {{"triangle", find_part("triangle", request.triangle)},
+            {"structure", find_part("structure", structure)},
+            {"observer", "observer/" + observer + ".glsl"}};
+}
+
+Contender make_contender(const Scene& scene, const MeasureRequest& request,
+                         const std::string& structure, const Limits& limits) {
+    BuiltStructure built = family_of(structure).build(
+        scene.corners, {reach_of(scene.camera.eye, scene.corners), request.build_values});
+    std::vector<Fact> facts = built.facts;
+    return {structure, std::move(facts), upload(scene, built),
+            TraceRays(parts_of(request, structure, "none"), limits),
+            TraceRays(parts_of(request, structure, "count"), limits)};
+}
+
+Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays, Query query) {
+    return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
+}
+
+// Closest hits must agree in every bit; of any hit, only whether there is one.
+bool same_answers(std::span<const Hit> a, std::span<const Hit> b, Query query) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Hit& x, const Hit& y) {
+        if (x.triangle < 0 || y.triangle < 0 || query == Query::any) {
+            return (x.triangle < 0) == (y.triangle < 0);
+        }
+        return std::memcmp(&x, &y, sizeof x) == 0;
+    });
+}
+
+RayCosts count_steps(Contender& contender, const RayKind& kind, const RayTextures& rays) {
+    trace(contender.count, contender.scene, rays, kind.query);
+    RayCosts costs{.kind = kind.name, .rays = kind.rays.size()};
+    for (const glm::uvec4& texel : read_integers(*contender.count.observations())) {
+        costs.visits_a_ray += texel.x;
+        costs.tests_a_ray += texel.y;
+    }
+    costs.visits_a_ray /= static_cast<double>(kind.rays.size());
+    costs.tests_a_ray /= static_cast<double>(kind.rays.size());
+    return costs;
+}
+
+double seconds_to_trace(Contender& contender, const RayTextures& rays, Query query) {
+    const auto start = std::chrono::steady_clock::now();
+    trace(contender.trace, contender.scene, rays, query); // ends with a query: all is done then
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void summarize_rounds(RayCosts& costs, std::vector<double> seconds) {
+    std::sort(seconds.begin(), seconds.end());
+    const auto rate = [&](double time) { return static_cast<double>(costs.rays) / time / 1e6; };
+    costs.median = rate(seconds[seconds.size() / 2]);
+    costs.lowest = rate(seconds.back());
+    costs.highest = rate(seconds.front());
+}
+
+} // namespace
+
+std::vector<StructureCosts> measure_structures(const Scene& scene, const MeasureRequest& request,
+                                               const Limits& limits, const Progress& progress) {
+    std::vector<Contender> contenders;
+    for (const std::string& structure : request.structures) {
+        contenders.push_back(make_contender(scene, request, structure, limits));
+    }
+    const RayTextures camera =
+        generate_rays(scene.camera, request.width, request.height, RayGeneration::direct);
+    Contender& first = contenders.front();
+    const std::vector<Hit> camera_hits = read_hits(first.trace.closest_hits(camera, first.scene));
+    const std::vector<RayKind> kinds = ray_kinds(scene, read_rays(camera), camera_hits, 1);
+
+    std::vector<StructureCosts> costs(contenders.size());
+    const double steps = static_cast<double>(kinds.size()) * (request.rounds + 2);
+    double done = 0.0;
+    for (const RayKind& kind : kinds) {
+        const RayTextures rays = upload_rays(kind.rays);
+        std::vector<Hit> expected;
+        for (std::size_t i = 0; i < contenders.size(); ++i) {
+            Contender& contender = contenders[i];
+            const std::vector<Hit> hits = read_hits(
+                trace(contender.trace, contender.scene, rays, kind.query), kind.rays.size());
+            if (i == 0) {
+                expected = hits;
+            } else if (!same_answers(hits, expected, kind.query)) {
+                throw Error(ExitCode::check_failed,
+                            contender.structure + " and " + first.structure + " differ in " +
+                                kind.name + " rays of " + scene.name +
+                                ". With --triangle watertight, that is a fault of Raysteps.");
+            }
+            costs[i].kinds.push_back(count_steps(contender, kind, rays));
+        }
+        progress(++done / steps);
+        std::vector<std::vector<double>> seconds(contenders.size());
+        for (int round = 0; round <= request.rounds; ++round) {
+            for (std::size_t i = 0; i < contenders.size(); ++i) {
+                const double time = seconds_to_trace(contenders[i], rays, kind.query);
+                if (round > 0) {
+                    seconds[i].push_back(time);
+                }
+            }
+            progress(++done / steps);
+        }
+        for (std::size_t i = 0; i < contenders.size(); ++i) {
+            summarize_rounds(costs[i].kinds.back(), seconds[i]);
+        }
+    }
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+        costs[i].structure = contenders[i].structure;
+        costs[i].facts = contenders[i].facts;
+    }
+    return costs;
+}
+
+std::string to_table(std::span<const StructureCosts> costs) {
+    std::string table =
+        "structure        rays        visits/ray  tests/ray  million rays/s (range)\n";
+    for (const StructureCosts& structure : costs) {
+        for (const RayCosts& kind : structure.kinds) {
+            char line[160];
+            std::snprintf(line, sizeof line, "%-16s %-10s %11.2f %10.2f  %.3f (%.3f to %.3f)\n",
+                          structure.structure.c_str(), kind.kind.c_str(), kind.visits_a_ray,
+                          kind.tests_a_ray, kind.median, kind.lowest, kind.highest);
+            table += line;
+        }
+    }
+    return table;
+}
+
+} // namespace raysteps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "geometry/layout.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// What a ray wants to know: the nearest hit, or whether there is any.
+enum class Query { closest, any };
+
+struct RayKind {
+    std::string name;
+    Query query = Query::closest;
+    std::vector<Ray> rays;
+};
+
+// The rays that a renderer asks a structure for, as far as their coherence differs:
+// primary, as given; shadow, from each hit to the scene's first light; bounce, from each hit in a
+// random direction over the surface, the more likely the steeper (so neighbours go apart). The hits
+// are those of the primary rays. Kinds without a ray are left out.
+std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
+                               std::span<const Hit> hits, int seed);
+
+} // namespace raysteps
