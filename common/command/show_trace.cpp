@@ -7,6 +7,10 @@
 #include "image/heat_map.h"
 #include "render/generate_rays.h"
 #include "render/show_hits.h"
+#include "report/summary.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace raysteps {
 
@@ -26,6 +30,18 @@ std::string title_of(Counted counted, const std::string& structure) {
                                                    : ": triangles tested a ray");
 }
 
+// From 0 to what 99 in 100 of the rays that did anything stay below: a few rays along a silhouette
+// do many times more, and would leave the rest in the dark. The legend counts them.
+HeatMapRange range_of_most(std::span<const float> values) {
+    std::vector<float> some;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(some),
+                 [](float value) { return value > 0.0f; });
+    if (some.empty()) {
+        return {};
+    }
+    return {.lower = 0.0f, .upper = static_cast<float>(summarize(some).percentile_99)};
+}
+
 // Texels come bottom row first, a heat map wants the top one first.
 Image heat_map_of(const Texture& observations, Counted counted, const std::string& structure) {
     const std::vector<glm::uvec4> texels = read_integers(observations);
@@ -41,7 +57,7 @@ Image heat_map_of(const Texture& observations, Counted counted, const std::strin
             values.push_back(static_cast<float>(counted == Counted::visits ? texel.x : texel.y));
         }
     }
-    return heat_map(values, width, height, auto_range(values), title_of(counted, structure));
+    return heat_map(values, width, height, range_of_most(values), title_of(counted, structure));
 }
 
 } // namespace
