@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     bool exhibit = false;
     add_common_options(app, command);
     add_tracing_options(app, command);
-    app.add_option("--view", view, "normals, facets, depth, triangles or barycentric")
+    app.add_option("--view", view, "normals, facets, depth, hits, triangles or barycentric")
         ->capture_default_str();
     app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired")
         ->excludes("--rays", "--window");

@@ -1,5 +1,6 @@
 #include "command/tracing_options.h"
 
+#include "error/error.h"
 #include "gpu/shader_catalog.h"
 #include "structure/families.h"
 #include "structure/reach.h"
@@ -36,8 +37,27 @@ std::map<std::string, BuildOption> merged_options() {
     return merged;
 }
 
+// An option of another structure would be passed over in silence.
+void check_values(const Command& command, const StructureFamily& family) {
+    for (const auto& [name, value] : command.build_values) {
+        std::string own;
+        bool is_own = false;
+        for (const BuildOption& option : family.options) {
+            is_own = is_own || option.name == name;
+            own += (own.empty() ? "--" : ", --") + option.name;
+        }
+        if (!is_own) {
+            throw InputError("--" + name + " " + value + ": the structure " + command.structure +
+                             (own.empty() ? " has no options. Leave it out, or choose another "
+                                            "--structure."
+                                          : " has no such option. It takes " + own + "."));
+        }
+    }
+}
+
 BuiltStructure build(const Command& command, const Scene& scene, float reach) {
     const StructureFamily family = family_of(command.structure);
+    check_values(command, family);
     BuiltStructure built =
         family.build(scene.corners, {.reach = reach, .values = command.build_values});
     if (!built.facts.empty()) {

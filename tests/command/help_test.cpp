@@ -30,11 +30,13 @@ std::vector<std::string> with(std::vector<std::string> options,
 } // namespace
 
 TEST_CASE("help names every option of every program", "[command]") {
-    const std::vector<std::string> tracing =
-        with(common_options, {"--triangle", "--rays", "--hits"});
+    const std::vector<std::string> tracing = with(
+        common_options, {"--triangle", "--structure", "--rays", "--hits", "--density", "--split"});
     check_help("01_rays", with(common_options, {"--generation"}));
     check_help("02_triangles", with(tracing, {"--view", "--exhibit"}));
     check_help("03_shading", with(tracing, {"--max-bounces"}));
+    check_help("04_grid", with(tracing, {"--view", "--measure", "--plot"}));
+    check_help("05_kd_tree", with(tracing, {"--view", "--measure"}));
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// The programs of the chapters: 01_rays, 02_triangles and 03_shading.
+// The programs of the chapters: 01_rays, 02_triangles and so on.
 extern const std::vector<std::string> chapters;
 
 // What a program said, and how it ended.

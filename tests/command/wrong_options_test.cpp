@@ -47,7 +47,7 @@ TEST_CASE("an unknown view is refused with the names of all before any work",
     // Large enough to run into the time limit if the picture were traced first.
     check_refusal(workplace, "02_triangles",
                   {"--view", "x-ray", "--scene", "knot:64", "--size", "4096"}, 2,
-                  {"--view x-ray", "barycentric, depth, facets, normals, triangles."});
+                  {"--view x-ray", "barycentric, depth, facets, hits, normals, triangles."});
 }
 
 TEST_CASE("a number of bounces out of range is refused", "[command][refusal]") {

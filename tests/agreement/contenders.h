@@ -1,0 +1,60 @@
+#pragma once
+
+#include "gpu/shader_catalog.h"
+#include "render/trace_rays.h"
+#include "scene/scene.h"
+#include "structure/families.h"
+#include "structure/reach.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// All structures but the loop, each with its program, compiled once. A context must be current.
+class Contenders {
+public:
+    Contenders() : loop_(tracer("every_triangle")) {
+        for (const NamedPart& part : list_parts("structure")) {
+            if (part.name != "every_triangle") {
+                tracers_.emplace(part.name, tracer(part.name));
+            }
+        }
+    }
+
+    std::vector<Hit> hits_of_loop(const Scene& scene, std::span<const Ray> rays) {
+        return read_hits(loop_.closest_hits(upload_rays(rays), upload(scene)), rays.size());
+    }
+
+    // By the name of the structure.
+    std::map<std::string, std::vector<Hit>> hits_of_all(const Scene& scene,
+                                                        std::span<const Ray> rays) {
+        const RayTextures textures = upload_rays(rays);
+        const float reach = reach_of(rays, scene.corners);
+        std::map<std::string, SceneTextures> built; // by family: several walks share a structure
+        std::map<std::string, std::vector<Hit>> hits;
+        for (auto& [name, tracer] : tracers_) {
+            const StructureFamily family = family_of(name);
+            if (!built.contains(family.name)) {
+                built.emplace(family.name, upload(scene, family.build(scene.corners, {reach, {}})));
+            }
+            hits[name] =
+                read_hits(tracer.closest_hits(textures, built.at(family.name)), rays.size());
+        }
+        return hits;
+    }
+
+private:
+    static TraceRays tracer(const std::string& structure) {
+        return {{{"triangle", "geometry/triangle_watertight.glsl"},
+                 {"structure", find_part("structure", structure)}},
+                measure_limits()};
+    }
+
+    TraceRays loop_;
+    std::map<std::string, TraceRays> tracers_;
+};
+
+} // namespace raysteps
