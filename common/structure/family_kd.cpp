@@ -20,7 +20,7 @@ const std::vector<BuildOption>& options() {
         {"empty-bonus", "0.2", "by this part a split is cheaper that cuts off empty space"},
         {"leaf-triangles", "2", "so many triangles are never split"},
         {"depth", "-1", "levels below the root, or -1 for 8 + 1.3 log2 of the triangles"},
-        {"bad-splits", "2", "splits in a row that may not pay by themselves"},
+        {"bad-splits", "0", "splits in a row that may not pay by themselves"},
         {"memory-limit", "4096", "the most that the tree may take, in MiB"},
     };
     return all;

@@ -9,39 +9,6 @@
 
 const int short_stack_size = 8;
 
-// The entry at the top stands at (top - 1) % short_stack_size.
-struct ShortStack {
-    int places[8]; // nodes that the ray comes to at its present exit
-    real exits[8]; // where it leaves them
-    int top;       // how many were ever put in
-    int filled;    // how many of the last ones are still there
-};
-
-ShortStack empty_stack() {
-    ShortStack stack;
-    for (int i = 0; i < short_stack_size; ++i) {
-        stack.places[i] = kd_root;
-        stack.exits[i] = real(0.0f);
-    }
-    stack.top = 0;
-    stack.filled = 0;
-    return stack;
-}
-
-ShortStack pushed(ShortStack stack, int place, real exit) {
-    stack.places[stack.top % short_stack_size] = place;
-    stack.exits[stack.top % short_stack_size] = exit;
-    stack.top = stack.top + 1;
-    stack.filled = min(stack.filled + 1, short_stack_size);
-    return stack;
-}
-
-ShortStack popped(ShortStack stack) {
-    stack.top = stack.top - 1;
-    stack.filled = stack.filled - 1;
-    return stack;
-}
-
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);
 }
@@ -50,7 +17,11 @@ Walk start_walk(Ray ray) {
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
     PreparedRay prepared = prepare_ray(ray);
     real end = part_in_tree(ray).exit;
-    ShortStack stack = empty_stack();
+    // Plain arrays: in a struct that functions take and give, drivers copy all of it.
+    int places[8];  // nodes that the ray comes to at its present exit
+    real exits[8];  // where it leaves them
+    int top = 0;    // how many were ever put in; the last one is at (top - 1) % short_stack_size
+    int filled = 0; // how many of the last ones are still there
     int holds_rest = walk.place.y;
     KdVisit visit;
     visit.walk = walk;
@@ -60,11 +31,12 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         KdDescent leaf;
         leaf.place = holds_rest;
         leaf.exit = end;
-        bool from_stack = stack.filled > 0;
+        bool from_stack = filled > 0;
         if (from_stack) {
-            stack = popped(stack);
-            leaf.place = stack.places[stack.top % short_stack_size];
-            leaf.exit = stack.exits[stack.top % short_stack_size];
+            top = top - 1;
+            filled = filled - 1;
+            leaf.place = places[top % short_stack_size];
+            leaf.exit = exits[top % short_stack_size];
         }
         leaf.node = kd_node(leaf.place);
         leaf.steps = 1;
@@ -73,7 +45,10 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         while (leaf.node.axis != kd_leaf) {
             KdStep taken = step_down(leaf.node, ray, t, leaf.exit);
             if (taken.other >= 0) {
-                stack = pushed(stack, taken.other, leaf.exit);
+                places[top % short_stack_size] = taken.other;
+                exits[top % short_stack_size] = leaf.exit;
+                top = top + 1;
+                filled = min(filled + 1, short_stack_size);
                 whole_rest = false;
             }
             leaf.place = taken.child;

@@ -1,0 +1,171 @@
+#include "catch.h"
+#include "kd_hits.h"
+#include "scene/shapes.h"
+#include "tree_rays.h"
+
+using namespace raysteps;
+
+namespace {
+
+// All families of rays against one scene and one way to build. How many hits there are.
+std::size_t check_families(int seed, const Scene& scene, const KdOptions& options, int count) {
+    RandomNumbers numbers(seed);
+    const KdTree shaped = build_kd_tree(scene.corners, options);
+    std::vector<RayFamily> families = ray_families(numbers, scene.corners, count);
+    for (RayFamily& family : tree_families(numbers, shaped, scene.corners, count)) {
+        families.push_back(std::move(family));
+    }
+    std::size_t hits = 0;
+    for (const RayFamily& family : families) {
+        // All these origins lie within the usual reach: the tree is the same.
+        const KdTree tree = tree_for(scene, family.rays, options);
+        const Agreement agreement = agreement_of(scene, tree, family.rays);
+        CAPTURE(seed, family.name, to_text(agreement));
+        CHECK(tree.padding == shaped.padding);
+        CHECK(agrees(agreement));
+        hits += agreement.hits;
+    }
+    return hits;
+}
+
+Scene moved(Scene scene, float scale, const glm::vec3& offset) {
+    for (glm::vec3& corner : scene.corners) {
+        corner = scale * corner + offset;
+    }
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("all walks find the hits of the loop over every triangle on a closed mesh",
+          "[05][agreement]") {
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 2.0f, 5));
+    CHECK(check_families(1, scene, {}, 800) > 6000); // of 9600
+    CHECK(check_families(2, scene, with_median(), 800) > 6000);
+    CHECK(check_families(3, scene, with_small_leaves(), 800) > 6000);
+}
+
+TEST_CASE("all walks find the hits of the loop over every triangle among loose triangles",
+          "[05][agreement]") {
+    RandomNumbers numbers(4);
+    const Scene scene = scene_of(random_triangles(numbers, 400));
+    CHECK(check_families(4, scene, {}, 800) > 6000);
+    CHECK(check_families(5, scene, with_median(), 800) > 6000);
+    CHECK(check_families(6, scene, with_small_leaves(), 800) > 6000);
+}
+
+TEST_CASE("all walks find the hits of the loop on slivers", "[05][agreement]") {
+    const int seed = 7;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    Mesh mesh = random_triangles(numbers, 200);
+    for (std::size_t i = 0; i < mesh.corners.size(); i += 3) { // a thousand times longer than wide
+        mesh.corners[i + 1] = mesh.corners[i] + 2.0f * numbers.in_cube();
+        mesh.corners[i + 2] = mesh.corners[i] + 0.001f * numbers.in_cube();
+    }
+    CHECK(check_families(seed, scene_of(mesh), {}, 800) > 1500);
+    CHECK(check_families(seed, scene_of(mesh), with_small_leaves(), 800) > 1500);
+}
+
+TEST_CASE("all walks find the hits of the loop at every size and place", "[05][agreement]") {
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    CHECK(check_families(8, moved(scene, 1e-6f, glm::vec3(0.0f)), {}, 400) > 2500);
+    CHECK(check_families(9, moved(scene, 1e6f, glm::vec3(0.0f)), {}, 400) > 2500);
+    CHECK(check_families(10, moved(scene, 1.0f, glm::vec3(1e4f, -1e4f, 1e4f)), {}, 400) > 2500);
+    CHECK(check_families(11, moved(scene, 100.0f, glm::vec3(1e6f)), {}, 400) > 2500);
+}
+
+TEST_CASE("all walks find the hits of the loop in a flat scene", "[05][agreement]") {
+    const int seed = 12;
+    CAPTURE(seed);
+    for (int axis = 0; axis < 3; ++axis) {
+        RandomNumbers numbers(seed);
+        Mesh mesh = random_triangles(numbers, 300);
+        for (glm::vec3& corner : mesh.corners) {
+            corner[axis] = 0.25f;
+        }
+        CHECK(check_families(seed, scene_of(mesh), {}, 400) > 500);
+    }
+}
+
+TEST_CASE("all walks find the hits of the loop on rays from far away", "[05][agreement]") {
+    const int seed = 13;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    for (const float distance : {1e2f, 1e4f, 1e6f}) {
+        std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 2000);
+        for (Ray& ray : rays) {
+            const glm::vec3 target = ray.origin + ray.direction;
+            ray.origin *= distance;
+            ray.direction = target - ray.origin;
+        }
+        // The farther the origin, the more a triangle is padded for it.
+        const Agreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
+        CAPTURE(distance, to_text(agreement));
+        CHECK(agrees(agreement));
+        CHECK(agreement.hits > 500);
+    }
+}
+
+TEST_CASE("a walk that is cut into rounds gives the same bits", "[05][agreement]") {
+    const int seed = 14;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(random_triangles(numbers, 400));
+    KdOptions options;
+    options.leaf_triangles = 16; // long lists, so that walks are cut in the middle of them
+    const KdTree tree = build_kd_tree(scene.corners, options);
+    std::vector<RayFamily> families = ray_families(numbers, scene.corners, 200);
+    for (RayFamily& family : tree_families(numbers, tree, scene.corners, 200)) {
+        families.push_back(std::move(family));
+    }
+    for (const RayFamily& family : families) {
+        for (const int rounds : {1, 2, 7, 100}) {
+            const Agreement agreement = agreement_of(scene, tree, family.rays, rounds);
+            CAPTURE(family.name, rounds, to_text(agreement));
+            CHECK(agrees(agreement));
+        }
+    }
+}
+
+TEST_CASE("a walk that takes any hit stops where there is one and only there", "[05][agreement]") {
+    const int seed = 15;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(random_triangles(numbers, 200));
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(build_kd_tree(scene.corners, {}));
+    auto every_triangle = mirror::mirror_of<EveryTriangle>(buffers);
+    const auto wrong_answers = [&](auto mirror) {
+        using Mirror = decltype(mirror);
+        std::size_t wrong = 0;
+        for (const Ray& ray : segments(numbers, scene.corners, 2000)) {
+            const Hit nearest = mirror::from_mirror(
+                every_triangle.closest_hit(mirror::to_mirror<EveryTriangle>(ray)));
+            const Hit any = mirror::from_mirror(mirror.any_hit(mirror::to_mirror<Mirror>(ray)));
+            const bool one_of_them = any.t >= nearest.t && any.t <= ray.t_max;
+            wrong += (any.triangle >= 0) != (nearest.triangle >= 0) || !one_of_them ? 1 : 0;
+        }
+        return wrong;
+    };
+    CHECK(wrong_answers(mirror::mirror_of<Restart>(buffers, packed)) == 0);
+    CHECK(wrong_answers(mirror::mirror_of<Backtrack>(buffers, packed)) == 0);
+    CHECK(wrong_answers(mirror::mirror_of<ShortStack>(buffers, packed)) == 0);
+    CHECK(wrong_answers(mirror::mirror_of<RopesWalk>(buffers, packed)) == 0);
+}
+
+TEST_CASE("rays that are nonsense end all the same", "[05][agreement]") {
+    RandomNumbers numbers(16);
+    const Scene scene = scene_of(random_triangles(numbers, 100));
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(build_kd_tree(scene.corners, with_small_leaves()));
+    const std::vector<Ray> rays = nonsense_rays();
+    const std::vector<Hit> expected = hits_by(mirror::mirror_of<Restart>(buffers, packed), rays);
+    CHECK(expected.size() == rays.size());
+    const auto hits = [&](const auto& mirror) { return hits_by(mirror, rays, 1).size(); };
+    CHECK(hits(mirror::mirror_of<Restart>(buffers, packed)) == rays.size());
+    CHECK(hits(mirror::mirror_of<Backtrack>(buffers, packed)) == rays.size());
+    CHECK(hits(mirror::mirror_of<ShortStack>(buffers, packed)) == rays.size());
+    CHECK(hits(mirror::mirror_of<RopesWalk>(buffers, packed)) == rays.size());
+}

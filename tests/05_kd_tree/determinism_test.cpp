@@ -1,0 +1,93 @@
+#include "catch.h"
+#include "kd_hits.h"
+#include "scene/shapes.h"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace raysteps;
+
+namespace {
+
+enum class Order { forward, backward, shuffled };
+
+// The triangles in another order.
+Mesh reordered(const Mesh& mesh, Order order) {
+    std::vector<int> places(mesh.corners.size() / 3);
+    std::iota(places.begin(), places.end(), 0);
+    if (order == Order::backward) {
+        std::reverse(places.begin(), places.end());
+    }
+    if (order == Order::shuffled) {
+        RandomNumbers numbers(99);
+        for (std::size_t i = places.size(); i > 1; --i) {
+            std::swap(places[i - 1],
+                      places[static_cast<std::size_t>(numbers.below(static_cast<int>(i)))]);
+        }
+    }
+    Mesh result;
+    for (const int place : places) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto i = static_cast<std::size_t>(3 * place + corner);
+            result.corners.push_back(mesh.corners[i]);
+            result.normals.push_back(mesh.normals[i]);
+        }
+    }
+    return result;
+}
+
+// Each triangle once more at the end, and once more with its corners the other way round.
+Mesh tripled(const Mesh& mesh) {
+    Mesh turned = mesh;
+    for (std::size_t i = 0; i < turned.corners.size(); i += 3) {
+        std::swap(turned.corners[i + 1], turned.corners[i + 2]);
+    }
+    return join(join(mesh, mesh), turned);
+}
+
+} // namespace
+
+TEST_CASE("of coincident triangles the smallest one is hit by every walk in any order",
+          "[05][hard_case]") {
+    const int seed = 21;
+    CAPTURE(seed);
+    const Mesh mesh = tripled(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3));
+    for (const Order order : {Order::forward, Order::backward, Order::shuffled}) {
+        RandomNumbers numbers(seed);
+        const Scene scene = scene_of(reordered(mesh, order));
+        for (const RayFamily& family : ray_families(numbers, scene.corners, 500)) {
+            const Agreement agreement =
+                agreement_of(scene, tree_for(scene, family.rays), family.rays);
+            CAPTURE(static_cast<int>(order), family.name, to_text(agreement));
+            CHECK(agrees(agreement));
+            CHECK(agreement.hits > 150);
+        }
+    }
+}
+
+TEST_CASE("ten thousand copies of a triangle make one leaf and the first copy is hit",
+          "[05][hard_case]") {
+    const int copies = 10000;
+    Scene scene;
+    for (int i = 0; i < copies; ++i) {
+        scene.corners.insert(scene.corners.end(),
+                             {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.5f}, {0.0f, 1.0f, 0.25f}});
+    }
+    scene.normals.assign(scene.corners.size(), {0.0f, 0.0f, 1.0f});
+    scene.triangle_materials.assign(static_cast<std::size_t>(copies), 0);
+    scene.materials.resize(1);
+    const KdTree tree = build_kd_tree(scene.corners, {});
+    CHECK(tree.references.size() <= 4 * static_cast<std::size_t>(copies));
+    const std::vector<Ray> rays{{{0.25f, 0.25f, -1.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end},
+                                {{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, no_end}};
+    for (const int rounds : {1 << 30, 100}) {
+        const Agreement agreement = agreement_of(scene, tree, rays, rounds);
+        CHECK(agreement.hits == rays.size());
+        CHECK(agrees(agreement));
+    }
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(tree);
+    for (const Hit& hit : hits_by(mirror::mirror_of<RopesWalk>(buffers, packed), rays)) {
+        CHECK(hit.triangle == 0);
+    }
+}
