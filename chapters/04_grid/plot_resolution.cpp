@@ -35,6 +35,7 @@ void plot_resolution(const Command& command, const Scene& scene) {
         MeasureRequest request{.structures = {command.structure},
                                .build_values = command.build_values,
                                .triangle = command.triangle,
+                               .kinds = {"primary"},
                                .width = command.width,
                                .height = command.height};
         request.build_values["resolution"] = std::to_string(resolution);

@@ -94,7 +94,11 @@ std::vector<StructureCosts> measure_structures(const Scene& scene, const Measure
         generate_rays(scene.camera, request.width, request.height, RayGeneration::direct);
     Contender& first = contenders.front();
     const std::vector<Hit> camera_hits = read_hits(first.trace.closest_hits(camera, first.scene));
-    const std::vector<RayKind> kinds = ray_kinds(scene, read_rays(camera), camera_hits, 1);
+    std::vector<RayKind> kinds = ray_kinds(scene, read_rays(camera), camera_hits, 1);
+    std::erase_if(kinds, [&](const RayKind& kind) {
+        return std::find(request.kinds.begin(), request.kinds.end(), kind.name) ==
+               request.kinds.end();
+    });
 
     std::vector<StructureCosts> costs(contenders.size());
     const double steps = static_cast<double>(kinds.size()) * (request.rounds + 2);

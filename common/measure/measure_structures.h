@@ -31,6 +31,7 @@ struct MeasureRequest {
     std::vector<std::string> structures;
     std::map<std::string, std::string> build_values;
     std::string triangle = "watertight";
+    std::vector<std::string> kinds{"primary", "shadow", "bounce"};
     int width = 256;
     int height = 256;
     int rounds = 5; // after one that is not counted
