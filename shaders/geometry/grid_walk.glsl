@@ -9,7 +9,7 @@
 // the start, and so it stays, since each step crosses the plane that comes first. A hit at t has
 // its point within the padding of the cell that holds t, so that cell lists the triangle. Therefore
 // a hit is final only when it comes before the crossing that leaves the cell: one that lies farther
-// on may be beaten in the cells between, and of equal t the smallest triangle may be in the next.
+// on is kept, and may be beaten in the cells between.
 
 Walk start_walk(Ray ray) {
     Walk walk;
