@@ -1,0 +1,252 @@
+#include "catch.h"
+#include "kd_hits.h"
+#include "recorded_walks.h"
+#include "scene/shapes.h"
+#include "structure/check_kd_tree.h"
+#include "tree_rays.h"
+
+using namespace raysteps;
+
+namespace {
+
+// How often a walk that is cut as short as can be does not come farther: t must grow, or the next
+// reference of the same leaf, or the node that is entered.
+template <class Mirror>
+std::size_t count_standstills(Mirror mirror, std::span<const Ray> rays) {
+    std::size_t standstills = 0;
+    for (const Ray& ray : rays) {
+        const auto own = mirror::to_mirror<Mirror>(ray);
+        auto walk = mirror.start_walk(own);
+        while (!walk.ended && standstills == 0) {
+            const auto before = walk;
+            walk = mirror.go_on(walk, own, -mirror.farthest, 1);
+            const float t_before = mirror.reached(before);
+            const float t = mirror.reached(walk);
+            const bool next_reference = t == t_before && walk.place.z > before.place.z;
+            const bool next_node = t == t_before && walk.place.y != before.place.y;
+            standstills += walk.ended || t > t_before || next_reference || next_node ? 0 : 1;
+        }
+    }
+    return standstills;
+}
+
+// The sphere, far from the origin of its rays: t lies above `distance` at every plane.
+std::vector<Ray> with_large_t(std::vector<Ray> rays, float distance) {
+    for (Ray& ray : rays) {
+        ray.direction /= distance;
+    }
+    return rays;
+}
+
+Agreement agreement_in(const Scene& scene, std::span<const Ray> rays) {
+    return agreement_of(scene, tree_for(scene, rays), rays);
+}
+
+} // namespace
+
+TEST_CASE("K1 every walk makes progress at every step", "[05][hard_case]") {
+    const int seed = 51;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4));
+    const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(tree);
+    for (const RayFamily& family : tree_families(numbers, tree, scene.corners, 300)) {
+        for (const float distance : {1.0f, 1e5f}) {
+            const std::vector<Ray> rays = with_large_t(family.rays, distance);
+            CAPTURE(family.name, distance);
+            CHECK(count_standstills(mirror::mirror_of<Restart>(buffers, packed), rays) == 0);
+            CHECK(count_standstills(mirror::mirror_of<Backtrack>(buffers, packed), rays) == 0);
+            CHECK(count_standstills(mirror::mirror_of<ShortStack>(buffers, packed), rays) == 0);
+            CHECK(count_standstills(mirror::mirror_of<RopesWalk>(buffers, packed), rays) == 0);
+        }
+    }
+}
+
+TEST_CASE("K2 no walk depends on the size of t", "[05][hard_case]") {
+    const int seed = 52;
+    CAPTURE(seed);
+    for (const float scale : {1e-6f, 1.0f, 1e6f}) {
+        RandomNumbers numbers(seed);
+        Mesh mesh = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4);
+        for (glm::vec3& corner : mesh.corners) {
+            corner *= scale;
+        }
+        const Scene scene = scene_of(mesh);
+        for (const float distance : {1e-4f, 32.0f, 2048.0f, 1e7f}) {
+            const std::vector<Ray> rays =
+                with_large_t(rays_at_edges(numbers, scene.corners, 500), distance);
+            const Agreement agreement = agreement_in(scene, rays);
+            CAPTURE(scale, distance, to_text(agreement));
+            CHECK(agrees(agreement));
+            CHECK(agreement.hits > 400);
+        }
+    }
+}
+
+TEST_CASE("K3 rays in the planes of splits are answered", "[05][hard_case]") {
+    const int seed = 53;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(random_triangles(numbers, 300));
+    const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
+    const std::vector<Ray> in_one = rays_in_box_planes(numbers, tree, scene.corners, 3000);
+    const std::vector<Ray> in_two = rays_along_box_edges(numbers, tree, 3000);
+    for (const std::vector<Ray>& rays : {in_one, in_two}) {
+        const Agreement agreement = agreement_of(scene, tree, rays);
+        CAPTURE(to_text(agreement));
+        CHECK(agrees(agreement));
+        CHECK(agreement.hits > 1000);
+    }
+}
+
+TEST_CASE("K4 triangles that lie in planes of splits are hit", "[05][hard_case]") {
+    const int seed = 54;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    // Walls of quads at whole coordinates, upright on each axis: every good plane is one of theirs.
+    Mesh mesh;
+    for (int i = 0; i < 5; ++i) {
+        const auto at = static_cast<float>(i);
+        mesh = join(mesh, quad({at, 0, 0}, {at, 4, 0}, {at, 4, 4}, {at, 0, 4}));
+        mesh = join(mesh, quad({0, at, 0}, {0, at, 4}, {4, at, 4}, {4, at, 0}));
+        mesh = join(mesh, quad({0, 0, at}, {4, 0, at}, {4, 4, at}, {0, 4, at}));
+    }
+    const Scene scene = scene_of(mesh);
+    for (const KdOptions& options : {KdOptions{}, with_median(), with_small_leaves()}) {
+        const KdTree tree = build_kd_tree(scene.corners, options);
+        CHECK(check_kd_tree(tree, scene.corners).empty());
+        std::vector<RayFamily> families = ray_families(numbers, scene.corners, 500);
+        const Lattice lattice{glm::vec3(0.0f), glm::vec3(1.0f), glm::ivec3(4)};
+        families.push_back({"lattice", rays_through_lattice_points(numbers, lattice, 1000)});
+        families.push_back({"planes", rays_in_lattice_planes(numbers, lattice, 1000)});
+        for (const RayFamily& family : families) {
+            const Agreement agreement = agreement_of(scene, tree, family.rays);
+            CAPTURE(family.name, to_text(agreement));
+            CHECK(agrees(agreement));
+        }
+    }
+}
+
+TEST_CASE("K5 no split equals a bound and the builder ends", "[05][hard_case]") {
+    // A box around its own faces, split as often as can be: each plane that lies in a face of the
+    // box is a bound of some node.
+    const Mesh mesh =
+        join(box(glm::vec3(0.0f), glm::vec3(1.0f)), box(glm::vec3(0.0f), glm::vec3(0.5f)));
+    KdOptions options = with_small_leaves();
+    options.depth_limit = 64;
+    options.bad_splits = 16;
+    for (const KdSplit split : {KdSplit::area, KdSplit::median}) {
+        options.split = split;
+        options.depth_limit = split == KdSplit::area ? 64 : 12;
+        const KdTree tree = build_kd_tree(mesh.corners, options);
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            const KdNode& node = tree.nodes[i];
+            const bool inside = is_leaf(node) || (node.split > tree.boxes[i].lower[node.axis] &&
+                                                  node.split < tree.boxes[i].upper[node.axis]);
+            CHECK(inside);
+        }
+        CHECK(check_kd_tree(tree, mesh.corners).empty());
+    }
+}
+
+TEST_CASE("K6 walks go on through edges and corners of leaves", "[05][hard_case]") {
+    const int seed = 56;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    // Medians of a cube: planes at fractions of its side, and rays along its diagonals that meet
+    // two or three of them at equal distances, again and again.
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    KdOptions options = with_median();
+    options.leaf_triangles = 0;
+    const KdTree tree = build_kd_tree(scene.corners, options);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 3000; ++i) {
+        const glm::vec3 through = any_box_corner(numbers, tree);
+        glm::vec3 direction;
+        for (int axis = 0; axis < 3; ++axis) {
+            direction[axis] = static_cast<float>(numbers.below(3) - 1);
+        }
+        rays.push_back({through - 4.0f * direction, direction, -no_end, no_end});
+    }
+    for (const int rounds : {1 << 30, 1}) {
+        const Agreement agreement = agreement_of(scene, tree, rays, rounds);
+        CAPTURE(to_text(agreement));
+        CHECK(agrees(agreement));
+        CHECK(agreement.hits > 1000);
+    }
+    // The rays are worth their name: ropes lead many of them to leaves that they only touch.
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(tree);
+    std::size_t by_ropes = 0;
+    std::size_t by_restart = 0;
+    const auto leaves_of = [&](auto mirror, const Ray& ray) {
+        static_cast<void>(mirror.closest_hit(mirror::to_mirror<decltype(mirror)>(ray)));
+        return std::count_if(mirror.visited.begin(), mirror.visited.end(), [&](int place) {
+            return is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
+        });
+    };
+    for (const Ray& ray : rays) {
+        by_ropes += static_cast<std::size_t>(
+            leaves_of(mirror::mirror_of<mirror::RecordedRopes<float>>(buffers, packed), ray));
+        by_restart += static_cast<std::size_t>(
+            leaves_of(mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed), ray));
+    }
+    CAPTURE(by_ropes, by_restart);
+    CHECK(by_ropes > by_restart + 100);
+}
+
+TEST_CASE("K7 a ray that is one point long is answered", "[05][hard_case]") {
+    const int seed = 57;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
+    const mirror::SceneBuffers buffers(scene);
+    std::vector<Ray> points;
+    std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 2000);
+    for (const Ray& ray : rays_at_box_corners(numbers, tree, scene.corners, 2000)) {
+        rays.push_back(ray);
+    }
+    const std::vector<Hit> hits = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Ray point = rays[i];
+        // Where the hit is, or at the corner of the box.
+        point.t_min = hits[i].triangle == no_triangle ? 1.0f : hits[i].t;
+        point.t_max = point.t_min;
+        points.push_back(point);
+    }
+    const Agreement agreement = agreement_of(scene, tree, points);
+    CAPTURE(to_text(agreement));
+    CHECK(agrees(agreement));
+    CHECK(agreement.hits > 1500);
+}
+
+TEST_CASE("K8 a hit beyond the exit of its leaf does not end the walk", "[05][hard_case]") {
+    // A long triangle reaches through all leaves; a small one before its far end lies in a later
+    // leaf and is nearer. A walk that took the first hit of the first leaf would take the long one.
+    Mesh mesh = triangle({0, 0, 0}, {10, 0, 10}, {0, 10, 0});
+    const glm::vec3 far_point(6.0f, 1.0f, 5.75f);
+    mesh =
+        join(mesh, triangle(far_point + glm::vec3(-0.1f, 0, 0), far_point + glm::vec3(0.1f, 0, 0),
+                            far_point + glm::vec3(0, 0.1f, 0)));
+    RandomNumbers numbers(58);
+    for (int i = 0; i < 50; ++i) { // clutter that makes the builder split
+        const glm::vec3 place(10.0f * numbers.unit(), 5.0f + 5.0f * numbers.unit(), -2.0f);
+        mesh = join(mesh,
+                    triangle(place, place + glm::vec3(0.1f, 0, 0), place + glm::vec3(0, 0.1f, 0)));
+    }
+    const Scene scene = scene_of(mesh);
+    const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
+    const glm::vec3 origin(-1.0f, 1.0f, 0.5f);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 500; ++i) {
+        const glm::vec3 target = far_point + glm::vec3(0.05f, 0.05f, 0.0f) * numbers.in_cube();
+        rays.push_back({origin, target - origin, 0.0f, no_end});
+    }
+    const Agreement agreement = agreement_of(scene, tree, rays);
+    CAPTURE(to_text(agreement));
+    CHECK(agreement.hits > 100);
+    CHECK(agrees(agreement));
+}
