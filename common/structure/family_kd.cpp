@@ -76,7 +76,7 @@ KdOptions options_of(const BuildRequest& request) {
     chosen.leaf_triangles = number_of<int>(request, "leaf-triangles", 0, 1 << 20);
     chosen.depth_limit = number_of<int>(request, "depth", -1, 64);
     chosen.bad_splits = number_of<int>(request, "bad-splits", 0, 16);
-    chosen.most_bytes = number_of<std::size_t>(request, "memory-limit", 1, 1 << 20) << 20;
+    chosen.most_bytes = number_of<std::size_t>(request, "memory-limit", 1, 8192) << 20;
     chosen.reach = request.reach;
     return chosen;
 }

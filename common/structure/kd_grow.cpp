@@ -2,59 +2,14 @@
 
 #include "error/error.h"
 #include "structure/kd_plane.h"
+#include "structure/kd_sides.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 
 namespace raysteps {
 
 namespace {
-
-enum class Sides : std::uint8_t { both, lower, upper };
-
-// On which sides of the plane each triangle of the node has a part. The vector has a place for each
-// triangle of the scene and is used again, since only those of the node matter.
-std::vector<Sides> sorted_out(std::vector<Sides> sides, const KdEvents& events,
-                              const KdPlane& plane) {
-    const std::vector<KdEvent>& along_axis = events[static_cast<std::size_t>(plane.axis)];
-    for (const KdEvent& event : along_axis) {
-        if (is_start(event)) {
-            sides[static_cast<std::size_t>(triangle_of(event))] =
-                event.position >= plane.position ? Sides::upper : Sides::both;
-        }
-    }
-    for (const KdEvent& event : along_axis) {
-        if (!is_start(event) && event.position <= plane.position) {
-            sides[static_cast<std::size_t>(triangle_of(event))] = Sides::lower;
-        }
-    }
-    return sides;
-}
-
-// The events of the triangles on one side only, still sorted.
-KdEvents events_on(Sides side, const KdEvents& events, const std::vector<Sides>& sides) {
-    KdEvents rest;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (const KdEvent& event : events[axis]) {
-            if (sides[static_cast<std::size_t>(triangle_of(event))] == side) {
-                rest[axis].push_back(event);
-            }
-        }
-    }
-    return rest;
-}
-
-std::vector<int> triangles_on(Sides side, const KdEvents& events, const std::vector<Sides>& sides) {
-    std::vector<int> triangles;
-    for (const KdEvent& event : events[0]) {
-        const int triangle = triangle_of(event);
-        if (is_start(event) && sides[static_cast<std::size_t>(triangle)] == side) {
-            triangles.push_back(triangle);
-        }
-    }
-    return triangles;
-}
 
 // Does the split pay by itself? By area, where it costs less than a leaf; in the middle, where a
 // side is rid of some triangle.
@@ -86,14 +41,17 @@ KdPlane plane_of(const KdPlan& plan, const KdBud& bud) {
     return bud.bad_splits < options.bad_splits && !hopeless ? plane : KdPlane{};
 }
 
+// References are counted with 32 bits.
+constexpr std::size_t most_bytes_of_any = std::size_t{8} << 30;
+
 // A leaf is paid for with its own node, box and ropes and with those of an inner node: there is one
 // of those less than there are leaves.
 void pay_for_leaf(KdPlan& plan, std::size_t count) {
     const std::size_t bytes = 2 * 16 + 2 * 32 + 24 + 4 * count;
-    if ((plan.bytes += bytes) > plan.options.most_bytes) {
-        throw InputError("The kd-tree would need more than " +
-                         std::to_string(plan.options.most_bytes >> 20) +
-                         " MiB. Lower its --depth or raise --leaf-triangles.");
+    const std::size_t most = std::min(plan.options.most_bytes, most_bytes_of_any);
+    if ((plan.bytes += bytes) > most) {
+        throw InputError("The kd-tree would need more than " + std::to_string(most >> 20) +
+                         " MiB. Raise --leaf-triangles, lower --depth, or raise --memory-limit.");
     }
 }
 

@@ -79,11 +79,11 @@ TEST_CASE("ten thousand copies of a triangle make one leaf and the first copy is
     KdOptions options = with_small_leaves();
     const KdTree tree = build_kd_tree(scene.corners, options);
     CHECK(tree.references.size() == static_cast<std::size_t>(copies));
-    // The median cannot know that it only makes copies, but it gives up in time.
+    // The median sees only that no side is rid of anything, and gives up after two of those.
     options = with_median();
     options.bad_splits = 2;
     CHECK(build_kd_tree(scene.corners, options).references.size() <=
-          4 * static_cast<std::size_t>(copies));
+          10 * static_cast<std::size_t>(copies));
     const std::vector<Ray> rays{{{0.25f, 0.25f, -1.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end},
                                 {{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, no_end}};
     for (const int rounds : {1 << 30, 100}) {
