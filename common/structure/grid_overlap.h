@@ -52,7 +52,8 @@ void visit_overlapped(const GridShape& shape, const TriangleOverlap& overlap, co
         const CellRange rows = overlapped_rows(shape, overlap, z);
         for (int y = rows.first; y <= rows.last; ++y) {
             const CellRange cells = overlapped_cells(shape, overlap, y, z);
-            const int row = shape.cells.x * (y + shape.cells.y * z);
+            const std::int64_t row =
+                std::int64_t{shape.cells.x} * (y + std::int64_t{shape.cells.y} * z);
             for (int x = cells.first; x <= cells.last; ++x) {
                 visit(static_cast<std::size_t>(row + x));
             }

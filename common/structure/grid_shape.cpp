@@ -78,7 +78,8 @@ GridShape shape_grid(std::span<const glm::vec3> corners, const GridOptions& opti
     const double thinnest =
         std::max(least_paddings * shape.padding, least_units_in_last_place * unit_in_last_place);
     const glm::dvec3 most = glm::clamp(size / thinnest, 1.0, most_cells_along_an_axis);
-    const auto triangles = static_cast<double>(corners.size() / 3);
+    const std::size_t count = corners.size() / 3;
+    const auto triangles = static_cast<double>(count);
     const double side = options.resolution > 0
                             ? std::max({size.x, size.y, size.z}) / options.resolution
                             : side_of_cell(size, most, options.density * triangles);
