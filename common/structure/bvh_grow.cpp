@@ -1,0 +1,150 @@
+#include "structure/bvh_grow.h"
+
+#include "structure/kd_threads.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace raysteps {
+
+namespace {
+
+// A range of the items that is to become a node.
+struct Bud {
+    std::size_t node = 0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    int depth = 0;
+};
+
+struct Growth {
+    std::vector<BvhNode> nodes;
+    std::vector<Bud> left_over; // too small for this growth
+};
+
+std::size_t most_in_leaf(const BvhOptions& options) {
+    return static_cast<std::size_t>(options.leaf_triangles);
+}
+
+BvhRange range_of(std::span<const BvhItem> items) {
+    BvhRange range{items, {}, {}};
+    for (const BvhItem& item : items) {
+        range.box = merge(range.box, item.box);
+        range.centers = merge(range.centers, doubled_center(item));
+    }
+    return range;
+}
+
+// Where the range is cut; nowhere, where it becomes a leaf.
+std::optional<BvhCut> cut_of(const BvhRange& range, int depth, BvhRule rule,
+                             const BvhOptions& options) {
+    const std::size_t count = range.items.size();
+    const bool may_be_leaf = count <= most_in_leaf(options);
+    const BvhCut middle{longest_axis(range.centers), count / 2};
+    if (is_at_depth_limit(count, depth, options)) {
+        return may_be_leaf ? std::nullopt : std::optional(middle);
+    }
+    if (count < 2) {
+        return {};
+    }
+    const std::optional<BvhCut> cut = rule(range, options);
+    const double leaf_cost = options.intersection_cost * static_cast<double>(count);
+    if (may_be_leaf && (!cut || cut->cost >= leaf_cost)) {
+        return {};
+    }
+    return cut ? cut : middle;
+}
+
+void part(std::span<BvhItem> items, const BvhCut& cut) {
+    const auto comes_first = [axis = cut.axis](const BvhItem& a, const BvhItem& b) {
+        const float center_a = doubled_center(a, axis);
+        const float center_b = doubled_center(b, axis);
+        return center_a != center_b ? center_a < center_b : a.triangle < b.triangle;
+    };
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(cut.lower_count),
+                     items.end(), comes_first);
+}
+
+// Grows until only buds of fewer items than `fewest` are left.
+Growth grow(std::span<BvhItem> items, const Bud& root, BvhRule rule, const BvhOptions& options,
+            std::size_t fewest) {
+    Growth growth;
+    growth.nodes.emplace_back();
+    std::vector<Bud> buds{root};
+    buds.back().node = 0;
+    while (!buds.empty()) {
+        const Bud bud = buds.back();
+        buds.pop_back();
+        if (bud.count < fewest) {
+            growth.left_over.push_back(bud);
+            continue;
+        }
+        const std::span<BvhItem> own = items.subspan(bud.first, bud.count);
+        const BvhRange range = range_of(own);
+        growth.nodes[bud.node].box = range.box;
+        const std::optional<BvhCut> cut = cut_of(range, bud.depth, rule, options);
+        if (!cut) {
+            std::sort(own.begin(), own.end(),
+                      [](const BvhItem& a, const BvhItem& b) { return a.triangle < b.triangle; });
+            growth.nodes[bud.node].first = static_cast<std::int32_t>(bud.first);
+            growth.nodes[bud.node].count = static_cast<std::int32_t>(bud.count);
+            continue;
+        }
+        part(own, *cut);
+        const std::size_t child = growth.nodes.size();
+        growth.nodes[bud.node].first = static_cast<std::int32_t>(child);
+        growth.nodes.resize(child + 2);
+        const std::size_t middle = bud.first + cut->lower_count;
+        buds.push_back({child + 1, middle, bud.count - cut->lower_count, bud.depth + 1});
+        buds.push_back({child, bud.first, cut->lower_count, bud.depth + 1});
+    }
+    return growth;
+}
+
+// The trunk is grown on one thread, down to branches of so many items.
+std::size_t fewest_of_trunk(std::size_t count) {
+    return std::max<std::size_t>(4096, count / 32);
+}
+
+} // namespace
+
+bool is_at_depth_limit(std::size_t count, int depth, const BvhOptions& options) {
+    const std::size_t leaves = (count + most_in_leaf(options) - 1) / most_in_leaf(options);
+    const auto levels = static_cast<int>(std::bit_width(leaves - 1)); // log2, rounded up
+    return depth + levels >= options.depth_limit;
+}
+
+std::vector<BvhNode> graft(std::vector<BvhNode> nodes, std::size_t node,
+                           std::span<const BvhNode> branch, std::size_t first) {
+    // The branch's root takes the place of the node, and the rest goes to the end.
+    const auto moved = static_cast<std::int32_t>(nodes.size()) - 1;
+    nodes.insert(nodes.end(), branch.begin() + 1, branch.end());
+    nodes[node] = branch.front();
+    const auto move = [&](BvhNode& each) {
+        each.first += is_leaf(each) ? static_cast<std::int32_t>(first) : moved;
+    };
+    move(nodes[node]);
+    std::for_each(nodes.begin() + moved + 1, nodes.end(), move);
+    return nodes;
+}
+
+std::vector<BvhNode> grow_bvh(std::span<BvhItem> items, BvhRule rule, const BvhOptions& options,
+                              int depth) {
+    if (items.empty()) {
+        return {};
+    }
+    Growth trunk =
+        grow(items, {0, 0, items.size(), depth}, rule, options, fewest_of_trunk(items.size()));
+    std::vector<std::vector<BvhNode>> branches(trunk.left_over.size());
+    on_threads(options.threads, branches.size(), [&](std::size_t i) {
+        branches[i] = grow(items, trunk.left_over[i], rule, options, 0).nodes;
+    });
+    std::vector<BvhNode> nodes = std::move(trunk.nodes);
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        nodes = graft(std::move(nodes), trunk.left_over[i].node, branches[i], 0);
+        branches[i] = {};
+    }
+    return nodes;
+}
+
+} // namespace raysteps

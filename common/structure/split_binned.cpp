@@ -1,0 +1,91 @@
+#include "structure/split_binned.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raysteps {
+
+namespace {
+
+constexpr int most_bins = 256;
+
+struct Bin {
+    Box box;
+    std::size_t count = 0;
+};
+
+using Bins = std::array<Bin, most_bins>;
+
+// Which bin a centre falls into. It never falls as the centre rises, since rounded differences and
+// products do not: so the bins below a plane hold the first items in the order of the centres.
+struct BinScale {
+    double lower = 0.0;
+    double bins_a_unit = 0.0;
+    int last = 0;
+};
+
+int bin_of(const BinScale& scale, float center) {
+    const double place = (static_cast<double>(center) - scale.lower) * scale.bins_a_unit;
+    return std::min(scale.last, static_cast<int>(place));
+}
+
+Bins fill_bins(std::span<const BvhItem> items, int axis, const BinScale& scale) {
+    Bins bins;
+    for (const BvhItem& item : items) {
+        Bin& bin = bins[static_cast<std::size_t>(bin_of(scale, doubled_center(item, axis)))];
+        bin.box = merge(bin.box, item.box);
+        ++bin.count;
+    }
+    return bins;
+}
+
+// The cheapest cut between two of the bins. The cost is only the sum of areas times numbers here.
+BvhCut cheapest_cut(const Bins& bins, int axis, std::size_t used, std::size_t all) {
+    std::array<double, most_bins> upper_areas{};
+    Box upper;
+    for (std::size_t i = used; i-- > 1;) {
+        upper = merge(upper, bins[i].box);
+        upper_areas[i] = surface_area(upper);
+    }
+    BvhCut best{axis};
+    Box lower;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < used; ++i) {
+        lower = merge(lower, bins[i - 1].box);
+        count += bins[i - 1].count;
+        const double cost = surface_area(lower) * static_cast<double>(count) +
+                            upper_areas[i] * static_cast<double>(all - count);
+        if (cost < best.cost) {
+            best.lower_count = count;
+            best.cost = cost;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<BvhCut> split_binned(const BvhRange& range, const BvhOptions& options) {
+    std::optional<BvhCut> best;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto lower = static_cast<double>(range.centers.lower[axis]);
+        const double extent = static_cast<double>(range.centers.upper[axis]) - lower;
+        if (!(extent > 0.0)) {
+            continue;
+        }
+        // The first and the last bin hold an item each, so no plane leaves a side empty.
+        const BinScale scale{lower, options.bins / extent, options.bins - 1};
+        const BvhCut cut = cheapest_cut(fill_bins(range.items, axis, scale), axis,
+                                        static_cast<std::size_t>(options.bins), range.items.size());
+        if (!best || cut.cost < best->cost) {
+            best = cut;
+        }
+    }
+    if (best) {
+        best->cost = options.traversal_cost +
+                     options.intersection_cost * best->cost / surface_area(range.box);
+    }
+    return best;
+}
+
+} // namespace raysteps
