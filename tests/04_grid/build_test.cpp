@@ -81,7 +81,7 @@ TEST_CASE("grids of no triangle and of one are valid", "[04][build]") {
     CHECK(check_grid(empty, {}) == no_faults);
     const std::vector<glm::vec3> one{{0.0f, 0.0f, 0.0f}, {1.0f, 2.0f, 0.0f}, {3.0f, 0.0f, 1.0f}};
     const Grid grid = build_grid(one, {});
-    CHECK(grid.references.size() >= 1);
+    CHECK_FALSE(grid.references.empty());
     CHECK(check_grid(grid, one) == no_faults);
     const std::vector<glm::vec3> point(3, glm::vec3(7.0f));
     const Grid of_a_point = build_grid(point, {});
@@ -218,7 +218,7 @@ TEST_CASE("references over the memory limit are refused before they are taken",
     options.memory_limit = 64LL << 20U;
     const Grid grid = build_grid(corners, options);
     CHECK(memory_of(grid) <= options.memory_limit);
-    CHECK(grid.references.size() > 2000 * 2048);
+    CHECK(grid.references.size() > std::size_t{2000} * 2048);
 }
 
 TEST_CASE("the check of a grid finds what is broken in it", "[04][build]") {

@@ -346,7 +346,7 @@ TEST_CASE("of coincident triangles the smallest is hit in any order", "[04][hard
     for (const std::vector<int>& each : orders) {
         std::vector<glm::vec3> ordered;
         for (const int triangle : each) {
-            const auto first = static_cast<std::ptrdiff_t>(3 * triangle);
+            const auto first = std::ptrdiff_t{3} * triangle;
             ordered.insert(ordered.end(), corners.begin() + first, corners.begin() + first + 3);
         }
         const Scene scene = scene_of_corners(ordered);
