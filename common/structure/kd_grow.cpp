@@ -111,7 +111,7 @@ KdGrowth grow(KdPlan& plan, KdBud first, std::size_t fewest) {
         const bool good = is_good(plane, triangle_count(bud.events), plan.options);
         const int child = tree.nodes[static_cast<std::size_t>(bud.node)].first_child;
         for (const int second : {1, 0}) {
-            const Box& box = tree.boxes[static_cast<std::size_t>(child + second)];
+            const Box& box = tree.boxes[static_cast<std::size_t>(child) + (second == 1 ? 1 : 0)];
             const Sides side = second == 1 ? Sides::upper : Sides::lower;
             KdBud next{child + second, box, bud.depth + 1, good ? 0 : bud.bad_splits + 1,
                        merge_events(events_on(side, bud.events, sides),

@@ -28,8 +28,8 @@ struct KdVisit {
 
 // Tests the leaf's triangles, as many as there are rounds, but at least one. When the last one is
 // done, the walk ends where nothing nearer can come: a hit before the exit, or the end of the ray.
-// A hit at the exit itself is not enough: of equal hits the smallest triangle wins, and it may be
-// listed only in the next leaf. One beyond the exit is kept, and may be beaten.
+// A hit at the exit itself lies on both sides, so the next leaf is asked too: of equal hits the
+// smallest triangle wins. One beyond the exit is kept, and may be beaten.
 KdVisit visit_leaf(Walk walk, KdDescent leaf, PreparedRay ray, real end, real near_enough,
                    int rounds) {
     int first = walk.place.z == all_references ? leaf.node.first_reference : walk.place.z;
