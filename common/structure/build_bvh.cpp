@@ -1,9 +1,13 @@
 #include "structure/build_bvh.h"
 
 #include "error/error.h"
+#include "structure/bvh_flatten.h"
 #include "structure/bvh_grow.h"
+#include "structure/bvh_insertion.h"
 #include "structure/padding.h"
 #include "structure/split_binned.h"
+#include "structure/split_median.h"
+#include "structure/split_sweep.h"
 
 #include <cmath>
 #include <string>
@@ -76,19 +80,39 @@ std::vector<BvhItem> items_of(std::span<const glm::vec3> corners, double padding
     return items;
 }
 
+Bvh build_from_the_top(std::vector<BvhItem> items, BvhRule rule, const BvhOptions& options) {
+    Bvh bvh;
+    bvh.nodes = grow_bvh(items, rule, options, 0);
+    bvh.order.reserve(items.size());
+    for (const BvhItem& item : items) {
+        bvh.order.push_back(item.triangle);
+    }
+    return bvh;
+}
+
+Bvh build_by_split(std::vector<BvhItem> items, const BvhOptions& options) {
+    switch (options.split) {
+    case BvhSplit::median:
+        return build_from_the_top(std::move(items), split_median, options);
+    case BvhSplit::insertion:
+        return flattened(insert_all(items, options), items, options);
+    case BvhSplit::sweep:
+        return build_from_the_top(std::move(items), split_sweep, options);
+    case BvhSplit::binned:
+        break;
+    }
+    return build_from_the_top(std::move(items), split_binned, options);
+}
+
 } // namespace
 
 Bvh build_bvh(std::span<const glm::vec3> corners, const BvhOptions& options) {
     check_options(options);
     check_corners(corners, options);
-    Bvh bvh;
-    bvh.padding = padding_for(usual_reach(bounds_of(corners), options.reach));
+    const double padding = padding_for(usual_reach(bounds_of(corners), options.reach));
+    Bvh bvh = build_by_split(items_of(corners, padding), options);
+    bvh.padding = padding;
     bvh.leaf_triangles = options.leaf_triangles;
-    std::vector<BvhItem> items = items_of(corners, bvh.padding);
-    bvh.nodes = grow_bvh(items, split_binned, options, 0);
-    for (const BvhItem& item : items) {
-        bvh.order.push_back(item.triangle);
-    }
     return bvh;
 }
 

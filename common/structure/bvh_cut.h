@@ -27,7 +27,7 @@ struct BvhCut {
     double cost = std::numeric_limits<double>::infinity();
 };
 
-// A rule answers where a range is best cut; nothing where all centres are equal.
+// A rule answers where a range is best cut; nothing where equal centres tell it nothing.
 using BvhRule = std::optional<BvhCut> (*)(const BvhRange& range, const BvhOptions& options);
 
 // The axis along which the box is longest; of equal lengths the first.

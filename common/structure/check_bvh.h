@@ -1,0 +1,22 @@
+#pragma once
+
+#include "structure/bvh.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// What is wrong with the tree over these triangles (three corners each), a sentence for each fault,
+// ten at most; empty where the tree is right:
+// - the padding is at least that for rays from around the scene (structure/padding.h);
+// - children stand behind their parent, and every node but the root is the child of one node;
+// - no leaf has more than leaf_triangles, and each triangle is in one leaf, once;
+// - a leaf has its triangles in ascending order;
+// - a box holds its children's boxes, and those of its triangles grown by the padding.
+std::vector<std::string> check_bvh(const Bvh& bvh, std::span<const glm::vec3> corners);
+
+} // namespace raysteps
