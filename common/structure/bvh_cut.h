@@ -30,6 +30,15 @@ struct BvhCut {
 // A rule answers where a range is best cut; nothing where equal centres tell it nothing.
 using BvhRule = std::optional<BvhCut> (*)(const BvhRange& range, const BvhOptions& options);
 
+// What a ray that meets the range is expected to cost if it is split. A ray that meets a box with
+// the surface S meets a box inside with the probability S_lower / S (see measure_bvh), so this is
+//   traversal_cost + intersection_cost * (S_lower n_lower + S_upper n_upper) / S,
+// n being numbers of triangles; `weighted` is the sum in brackets.
+// Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+inline double split_cost(double weighted, const BvhRange& range, const BvhOptions& options) {
+    return options.traversal_cost + options.intersection_cost * weighted / surface_area(range.box);
+}
+
 // The axis along which the box is longest; of equal lengths the first.
 inline int longest_axis(const Box& box) {
     int longest = 0;

@@ -77,7 +77,19 @@ struct Move {
     int depth = 0;
 };
 
-// The subtree as a leaf, or halved until its leaves are small enough.
+Bvh with_leaf(Bvh bvh, const Move& move, const std::vector<BvhItem>& below) {
+    BvhNode& node = bvh.nodes[move.to];
+    node.first = static_cast<std::int32_t>(bvh.order.size());
+    node.count = static_cast<std::int32_t>(below.size());
+    for (const BvhItem& item : below) {
+        node.box = merge(node.box, item.box);
+        bvh.order.push_back(item.triangle);
+    }
+    std::sort(bvh.order.begin() + node.first, bvh.order.end());
+    return bvh;
+}
+
+// The subtree halved until its leaves are small enough.
 Bvh with_halves(Bvh bvh, const Move& move, std::vector<BvhItem> below, const BvhOptions& options) {
     const std::vector<BvhNode> branch = grow_bvh(below, split_median, options, move.depth);
     bvh.nodes = graft(std::move(bvh.nodes), move.to, branch, bvh.order.size());
@@ -102,8 +114,11 @@ Bvh flattened(const InsertionTree& tree, std::span<const BvhItem> items,
         const Move move = moves.back();
         moves.pop_back();
         const InsertionNode& node = tree.nodes[place(move.from)];
-        if (worth[place(move.from)] != 0 ||
-            is_at_depth_limit(static_cast<std::size_t>(node.count), move.depth, options)) {
+        if (worth[place(move.from)] != 0) {
+            bvh = with_leaf(std::move(bvh), move, items_below(tree, move.from, items));
+            continue;
+        }
+        if (is_at_depth_limit(static_cast<std::size_t>(node.count), move.depth, options)) {
             bvh = with_halves(std::move(bvh), move, items_below(tree, move.from, items), options);
             continue;
         }

@@ -1,20 +1,16 @@
 #include "structure/split_binned.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace raysteps {
 
 namespace {
 
-constexpr int most_bins = 256;
-
 struct Bin {
     Box box;
     std::size_t count = 0;
 };
-
-using Bins = std::array<Bin, most_bins>;
 
 // Which bin a centre falls into. It never falls as the centre rises, since rounded differences and
 // products do not: so the bins below a plane hold the first items in the order of the centres.
@@ -29,8 +25,8 @@ int bin_of(const BinScale& scale, float center) {
     return std::min(scale.last, static_cast<int>(place));
 }
 
-Bins fill_bins(std::span<const BvhItem> items, int axis, const BinScale& scale) {
-    Bins bins;
+std::vector<Bin> fill_bins(std::span<const BvhItem> items, int axis, const BinScale& scale) {
+    std::vector<Bin> bins(static_cast<std::size_t>(scale.last) + 1);
     for (const BvhItem& item : items) {
         Bin& bin = bins[static_cast<std::size_t>(bin_of(scale, doubled_center(item, axis)))];
         bin.box = merge(bin.box, item.box);
@@ -39,18 +35,24 @@ Bins fill_bins(std::span<const BvhItem> items, int axis, const BinScale& scale) 
     return bins;
 }
 
+// More bins than items make little difference, and near the leaves they take most of the time.
+int bins_for(std::size_t items, const BvhOptions& options) {
+    const auto bins = static_cast<std::size_t>(options.bins);
+    return static_cast<int>(std::min(bins, items + 4));
+}
+
 // The cheapest cut between two of the bins. The cost is only the sum of areas times numbers here.
-BvhCut cheapest_cut(const Bins& bins, int axis, std::size_t used, std::size_t all) {
-    std::array<double, most_bins> upper_areas{};
+BvhCut cheapest_cut(std::span<const Bin> bins, int axis, std::size_t all) {
+    std::vector<double> upper_areas(bins.size());
     Box upper;
-    for (std::size_t i = used; i-- > 1;) {
+    for (std::size_t i = bins.size(); i-- > 1;) {
         upper = merge(upper, bins[i].box);
         upper_areas[i] = surface_area(upper);
     }
     BvhCut best{axis};
     Box lower;
     std::size_t count = 0;
-    for (std::size_t i = 1; i < used; ++i) {
+    for (std::size_t i = 1; i < bins.size(); ++i) {
         lower = merge(lower, bins[i - 1].box);
         count += bins[i - 1].count;
         const double cost = surface_area(lower) * static_cast<double>(count) +
@@ -66,6 +68,7 @@ BvhCut cheapest_cut(const Bins& bins, int axis, std::size_t used, std::size_t al
 } // namespace
 
 std::optional<BvhCut> split_binned(const BvhRange& range, const BvhOptions& options) {
+    const int bins = bins_for(range.items.size(), options);
     std::optional<BvhCut> best;
     for (int axis = 0; axis < 3; ++axis) {
         const auto lower = static_cast<double>(range.centers.lower[axis]);
@@ -74,16 +77,15 @@ std::optional<BvhCut> split_binned(const BvhRange& range, const BvhOptions& opti
             continue;
         }
         // The first and the last bin hold an item each, so no plane leaves a side empty.
-        const BinScale scale{lower, options.bins / extent, options.bins - 1};
-        const BvhCut cut = cheapest_cut(fill_bins(range.items, axis, scale), axis,
-                                        static_cast<std::size_t>(options.bins), range.items.size());
+        const BinScale scale{lower, bins / extent, bins - 1};
+        const BvhCut cut =
+            cheapest_cut(fill_bins(range.items, axis, scale), axis, range.items.size());
         if (!best || cut.cost < best->cost) {
             best = cut;
         }
     }
     if (best) {
-        best->cost = options.traversal_cost +
-                     options.intersection_cost * best->cost / surface_area(range.box);
+        best->cost = split_cost(best->cost, range, options);
     }
     return best;
 }

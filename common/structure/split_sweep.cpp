@@ -70,8 +70,7 @@ std::optional<BvhCut> split_sweep(const BvhRange& range, const BvhOptions& optio
         }
     }
     if (best) {
-        best->cost = options.traversal_cost +
-                     options.intersection_cost * best->cost / surface_area(range.box);
+        best->cost = split_cost(best->cost, range, options);
     }
     return best;
 }
