@@ -9,7 +9,7 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     CLI::App app("Chapter 04: rays through the cells of a uniform grid.");
-    Command command{.chapter = "04_grid", .scene = "knot"};
+    Command command{.chapter = "04_grid", .scene = "bunny"};
     command.structure = "grid";
     std::string view = "normals";
     bool measure = false;

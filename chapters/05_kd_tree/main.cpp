@@ -8,7 +8,7 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     CLI::App app("Chapter 05: rays through a kd-tree, in four ways without a full stack.");
-    Command command{.chapter = "05_kd_tree", .scene = "knot"};
+    Command command{.chapter = "05_kd_tree", .scene = "bunny"};
     command.structure = "kd_restart";
     std::string view = "normals";
     bool measure = false;

@@ -18,8 +18,9 @@ constexpr int usual_rounds_per_launch = 2048;
 // rays), and each makes its rounds while the others wait.
 constexpr int rays_side_by_side = 16;
 
-// More launches than any walk needs: a billion rounds.
-constexpr int most_launches = 1 << 20;
+// More launches than any walk through a structure needs; the loop over every triangle says itself
+// how many it needs beyond. A walk that makes no progress is found out in minutes.
+constexpr int most_launches = 1 << 14;
 
 constexpr float farthest = std::numeric_limits<float>::max();
 
@@ -89,7 +90,8 @@ Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, co
     std::optional<LiveMask> everywhere;
     const LiveMask& asked = live ? *live : everywhere.emplace(width, height);
     const double ray_count = static_cast<double>(width) * height;
-    for (launches_ = 1; launches_ <= most_launches; ++launches_) {
+    const int launches_allowed = most_launches + scene.structure.longest_walk / rounds_per_launch_;
+    for (launches_ = 1; launches_ <= launches_allowed; ++launches_) {
         trace_.set("first_launch", launches_ == 1 ? 1 : 0)
             .set("last_hits", last.hits)
             .set("last_places", last.places);
