@@ -1,0 +1,137 @@
+#include "error/error.h"
+#include "structure/build_bvh.h"
+#include "structure/bvh_pack.h"
+#include "structure/measure_bvh.h"
+#include "structure/structure_family.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+const std::vector<BuildOption>& options() {
+    static const std::vector<BuildOption> all{
+        {"split", "binned",
+         "median, insertion (one triangle after the other), binned or sweep (surface-area "
+         "heuristic at a few planes, or at all)"},
+        {"bins", "32", "planes to try along an axis, and one, for --split binned"},
+        {"traversal-cost", "1", "what a node costs"},
+        {"intersection-cost", "1.5", "what a triangle test costs"},
+        {"leaf-triangles", "4", "no leaf has more"},
+        {"depth", "64", "levels below the root, or as many as it takes to halve the triangles"},
+        {"memory-limit", "4096", "the most that the tree may take, in MiB"},
+        {"insertion-order", "shuffled", "shuffled or as_given, for --split insertion"},
+        {"seed", "1", "of the shuffle"},
+    };
+    return all;
+}
+
+const BuildOption& option_named(const std::string& name) {
+    const auto place = std::find_if(options().begin(), options().end(),
+                                    [&](const BuildOption& option) { return option.name == name; });
+    if (place == options().end()) {
+        throw InputError("--" + name + ": the BVH has no such option. See --help.");
+    }
+    return *place;
+}
+
+std::string text_of(const BuildRequest& request, const std::string& name) {
+    const auto place = request.values.find(name);
+    return place == request.values.end() ? option_named(name).initial : place->second;
+}
+
+// The value of an option as a number. Throws InputError where it is none, or out of range.
+template <class Number>
+Number number_of(const BuildRequest& request, const std::string& name, Number lowest,
+                 Number highest) {
+    const std::string text = text_of(request, name);
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
+        throw InputError("--" + name + " " + text + ": " + option_named(name).meaning +
+                         ". Give a number from " + std::to_string(lowest) + " to " +
+                         std::to_string(highest) + ".");
+    }
+    return number;
+}
+
+// The value of an option that is one of a few words. Throws InputError where it is none of them.
+template <class Choice>
+Choice choice_of(const BuildRequest& request, const std::string& name,
+                 const std::vector<std::pair<std::string, Choice>>& choices) {
+    const std::string text = text_of(request, name);
+    std::string words;
+    for (const auto& [word, choice] : choices) {
+        if (word == text) {
+            return choice;
+        }
+        words += (words.empty() ? "" : ", ") + word;
+    }
+    throw InputError("--" + name + " " + text + ": there is no such choice. Take one of " + words +
+                     ".");
+}
+
+BvhOptions options_of(const BuildRequest& request) {
+    BvhOptions chosen;
+    chosen.split = choice_of<BvhSplit>(request, "split",
+                                       {{"median", BvhSplit::median},
+                                        {"insertion", BvhSplit::insertion},
+                                        {"binned", BvhSplit::binned},
+                                        {"sweep", BvhSplit::sweep}});
+    chosen.bins = number_of<int>(request, "bins", 2, 256);
+    chosen.traversal_cost = number_of<double>(request, "traversal-cost", 0.0, 1e6);
+    chosen.intersection_cost = number_of<double>(request, "intersection-cost", 0.0, 1e6);
+    chosen.leaf_triangles = number_of<int>(request, "leaf-triangles", 1, 1 << 20);
+    chosen.depth_limit = number_of<int>(request, "depth", 0, 1 << 20);
+    chosen.memory_limit = number_of<std::int64_t>(request, "memory-limit", 1, 1 << 20) * (1 << 20);
+    chosen.insertion_order = choice_of<InsertionOrder>(
+        request, "insertion-order",
+        {{"shuffled", InsertionOrder::shuffled}, {"as_given", InsertionOrder::as_given}});
+    chosen.seed = number_of<int>(request, "seed", 0, 1 << 30);
+    chosen.reach = static_cast<double>(request.reach);
+    return chosen;
+}
+
+std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t packed_bytes,
+                           std::size_t triangles, double seconds) {
+    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
+    const auto leaves = static_cast<double>(measures.leaves);
+    return {{"build_seconds", seconds},
+            {"memory_bytes", static_cast<double>(packed_bytes)},
+            {"tree_bytes", static_cast<double>(measures.bytes)}, // without the walks' copies
+            {"nodes", static_cast<double>(measures.nodes)},
+            {"leaves", leaves},
+            {"depth", static_cast<double>(measures.depth)},
+            {"references", references},
+            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
+            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
+            {"longest_leaf", static_cast<double>(measures.longest_leaf)},
+            {"expected_cost", measures.cost}};
+}
+
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const BvhOptions chosen = options_of(request);
+    const auto start = std::chrono::steady_clock::now();
+    const Bvh bvh = build_bvh(corners, chosen);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh(bvh, chosen), bytes_of(built.packed), corners.size() / 3,
+                           seconds.count());
+    return built;
+}
+
+} // namespace
+
+// Serves structure/bvh_skip.glsl, bvh_skip_padded.glsl, bvh_ordered.glsl, bvh_parent.glsl and
+// bvh_stack.glsl.
+StructureFamily family_bvh() {
+    return {"bvh", options(), build};
+}
+
+} // namespace raysteps

@@ -1,0 +1,40 @@
+// How a walk finds its way through a tree with nothing but the parents of nodes: which child is the
+// near one depends only on the ray's direction, so on the way up a walk knows what it has seen.
+// Source: Hapala, Davidovic, Wald, Havran and Slusallek, "Efficient Stack-less BVH Traversal for
+// Ray Tracing", 2011. There, three states say from where the walk came to a node; here, whether it
+// still has to enter the node or has just left it, and the parent is asked for the rest.
+
+// The first child lies behind its parent, and is the lower one along the axis of the two.
+struct BvhChildren {
+    int near;
+    int far;
+};
+
+BvhChildren bvh_children(BoxRay ray, int place, int link) {
+    int second = (-1 - link) >> 2;
+    bool turned = descends(ray, (-1 - link) & 3);
+    BvhChildren children;
+    children.near = turned ? second : place + 1;
+    children.far = turned ? place + 1 : second;
+    return children;
+}
+
+struct BvhClimb {
+    int node;  // no_bvh_node where the tree is done
+    bool left; // else the node is to be entered
+};
+
+// From a node that is done: to its far sibling, else to the parent, which is done then too.
+BvhClimb climb_bvh(BoxRay ray, int place) {
+    int parent = bvh_parent(place);
+    BvhClimb climb;
+    climb.node = parent;
+    climb.left = true;
+    if (parent >= 0) {
+        BvhChildren children = bvh_children(ray, parent, bvh_link(parent));
+        bool was_near = place == children.near;
+        climb.node = was_near ? children.far : parent;
+        climb.left = !was_near;
+    }
+    return climb;
+}

@@ -1,0 +1,64 @@
+// A bounding volume hierarchy, walked without a stack, near children first: down as long as the ray
+// meets boxes, then up by the parents to the next sibling. One copy of the nodes serves all
+// directions. Source: Hapala and others, 2011 (geometry/bvh_climb.glsl).
+#include "layout/bvh.glsl"
+#include "geometry/box_ray.glsl"
+#include "geometry/box_plain.glsl"
+#include "geometry/bvh_choose_planes.glsl"
+#include "geometry/bvh_climb.glsl"
+
+// place.x is a node, place.y the next triangle of a leaf that was met before, place.z is 1 where
+// the node is done and 0 where it is to be entered.
+Walk start_walk(Ray ray) {
+    Walk walk;
+    walk.nearest = miss(ray);
+    walk.ended = is_empty(ray) || bvh_node_count == 0;
+    walk.place = ivec3(0, no_bvh_triangle, 0);
+    return walk;
+}
+
+Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
+    BoxRay prepared_for_boxes = box_ray(ray);
+    PreparedRay prepared = prepare_ray(ray);
+    Hit nearest = walk.nearest;
+    int node = walk.place.x;
+    int triangle = walk.place.y;
+    bool done = walk.place.z != 0;
+    int left = rounds;
+    while (left > 0 && (node >= 0 || triangle >= 0)) {
+        while (left > 0 && node >= 0 && triangle < 0) {
+            bool inside = false;
+            if (!done) {
+                observe_visit(node);
+                BvhNode here = bvh_node(node);
+                bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
+                triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
+                inside = met && !is_bvh_leaf(here);
+                node = inside ? bvh_children(prepared_for_boxes, node, here.link).near : node;
+            }
+            if (!inside) {
+                BvhClimb up = climb_bvh(prepared_for_boxes, node);
+                node = up.node;
+                done = up.left;
+            }
+            --left;
+        }
+        while (left > 0 && triangle >= 0) {
+            BvhTriangle tested = bvh_triangle(triangle);
+            observe_test(tested.number);
+            Hit hit = intersect_triangle(prepared, tested.a, tested.b, tested.c, tested.number);
+            triangle = tested.last ? no_bvh_triangle : triangle + 1;
+            if (is_nearer(hit, nearest)) {
+                nearest = hit;
+                bool found = hit.t <= near_enough;
+                node = found ? no_bvh_node : node;
+                triangle = found ? no_bvh_triangle : triangle;
+            }
+            --left;
+        }
+    }
+    walk.nearest = nearest;
+    walk.place = ivec3(node, triangle, done ? 1 : 0);
+    walk.ended = node < 0 && triangle < 0;
+    return walk;
+}
