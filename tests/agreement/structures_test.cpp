@@ -2,6 +2,8 @@
 #include "contenders.h"
 #include "gpu/context.h"
 #include "measure/ray_kinds.h"
+#include "mirrors.h"
+#include "plane_families.h"
 #include "render/generate_rays.h"
 #include "scene/load_scene.h"
 #include "scene/sample_scenes.h"
@@ -58,8 +60,19 @@ std::vector<Scene> in_three_orders(const Scene& scene, RandomNumbers& numbers) {
     return scenes;
 }
 
-// Every structure, three orders of the triangles, all families of rays.
-void check_families(const Scene& scene, int rays_a_family) {
+std::vector<RayFamily> all_families(RandomNumbers& numbers, const Scene& scene, int rays) {
+    std::vector<RayFamily> families = ray_families(numbers, scene.corners, rays);
+    for (RayFamily& family : plane_families(numbers, scene.corners, rays)) {
+        families.push_back(std::move(family));
+    }
+    return families;
+}
+
+// Every structure, three orders of the triangles, all families of rays; on the GPU, and where asked
+// for by the mirror as well.
+enum class By { gpu, gpu_and_mirror };
+
+void check_families(const Scene& scene, int rays_a_family, By by) {
     const int seed = 41;
     CAPTURE(scene.name, seed);
     RandomNumbers numbers(seed);
@@ -68,11 +81,16 @@ void check_families(const Scene& scene, int rays_a_family) {
     std::size_t rays = 0;
     std::size_t exceptions = 0;
     for (const Scene& ordered : in_three_orders(scene, numbers)) {
-        for (const RayFamily& family : ray_families(numbers, ordered.corners, rays_a_family)) {
+        for (const RayFamily& family : all_families(numbers, ordered, rays_a_family)) {
             CAPTURE(family.name);
             const std::vector<Hit> expected = contenders.hits_of_loop(ordered, family.rays);
             CHECK(count_hits(expected) > family.rays.size() / 100);
-            for (const auto& [name, hits] : contenders.hits_of_all(ordered, family.rays)) {
+            std::map<std::string, std::vector<Hit>> found =
+                contenders.hits_of_all(ordered, family.rays);
+            if (by == By::gpu_and_mirror) {
+                found.merge(hits_of_mirrors(ordered, family.rays));
+            }
+            for (const auto& [name, hits] : found) {
                 CAPTURE(name);
                 const std::size_t different = count_different(hits, expected);
                 CHECK(different == 0);
@@ -94,15 +112,15 @@ Scene ball() {
 } // namespace
 
 TEST_CASE("on a ball every structure finds the bits of the loop", "[agreement]") {
-    check_families(ball(), 2500);
+    check_families(ball(), 2500, By::gpu);
 }
 
 TEST_CASE("on random triangles every structure finds the bits of the loop", "[agreement]") {
-    check_families(load_scene("soup:600", 1.0f), 2500);
+    check_families(load_scene("soup:600", 1.0f), 2500, By::gpu);
 }
 
 TEST_CASE("on needles every structure finds the bits of the loop", "[agreement]") {
-    check_families(load_scene("needles:300", 1.0f), 2500);
+    check_families(load_scene("needles:300", 1.0f), 2500, By::gpu);
 }
 
 TEST_CASE("on every sample scene every structure finds the bits of the loop", "[agreement]") {
@@ -127,10 +145,10 @@ TEST_CASE("on every sample scene every structure finds the bits of the loop", "[
 
 TEST_CASE("on a ball and a million rays a family every structure finds the bits of the loop",
           "[.][long]") {
-    check_families(ball(), 1000000);
+    check_families(ball(), 1000000, By::gpu_and_mirror);
 }
 
 TEST_CASE("on needles and a million rays a family every structure finds the bits of the loop",
           "[.][long]") {
-    check_families(load_scene("needles:300", 1.0f), 1000000);
+    check_families(load_scene("needles:300", 1.0f), 1000000, By::gpu_and_mirror);
 }
