@@ -48,4 +48,17 @@ std::function<void(double)> show_progress(const std::string& work) {
     };
 }
 
+WorkNotice::WorkNotice(const std::string& work) {
+    if (isatty(STDERR_FILENO) != 0) {
+        std::fprintf(stderr, "%s ...", work.c_str());
+        std::fflush(stderr);
+    }
+}
+
+WorkNotice::~WorkNotice() {
+    if (isatty(STDERR_FILENO) != 0) {
+        std::fprintf(stderr, "\r\033[K");
+    }
+}
+
 } // namespace raysteps

@@ -1,5 +1,6 @@
 #include "command/tracing_options.h"
 
+#include "command/progress.h"
 #include "error/error.h"
 #include "gpu/shader_catalog.h"
 #include "structure/families.h"
@@ -58,8 +59,16 @@ void check_values(const Command& command, const StructureFamily& family) {
 BuiltStructure build(const Command& command, const Scene& scene, float reach) {
     const StructureFamily family = family_of(command.structure);
     check_values(command, family);
-    BuiltStructure built =
-        family.build(scene.corners, {.reach = reach, .values = command.build_values});
+    BuiltStructure built;
+    {
+        const WorkNotice notice("building " + command.structure);
+        built = family.build(
+            scene.corners,
+            {.reach = reach, .values = command.build_values, .say = [](const std::string& what) {
+                 std::printf("memory    %s\n", what.c_str());
+                 std::fflush(stdout);
+             }});
+    }
     if (!built.facts.empty()) {
         std::printf("structure %s:", command.structure.c_str());
         for (std::size_t i = 0; i < built.facts.size(); ++i) {

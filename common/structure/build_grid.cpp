@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -56,6 +57,14 @@ void check_memory(std::int64_t cells, std::int64_t references, const GridOptions
                          std::to_string(options.memory_limit / bytes_in_mebibyte) +
                          " MiB. Take a smaller " + coarser + ", or a larger --memory-limit.");
     }
+}
+
+std::string mebibytes(std::int64_t numbers) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f MiB",
+                  static_cast<double>(bytes_each * numbers) /
+                      static_cast<double>(bytes_in_mebibyte));
+    return text;
 }
 
 // The most references that there is room for beside the cells.
@@ -139,8 +148,12 @@ Grid build_grid(std::span<const glm::vec3> corners, const GridOptions& options) 
     check_input(corners, options);
     Grid grid;
     grid.shape = shape_grid(corners, options);
-    check_memory(cell_count(grid.shape), 0, options);
+    const std::int64_t cells = cell_count(grid.shape);
+    check_memory(cells, 0, options);
+    options.say(std::to_string(cells) + " cells take " + mebibytes(cells));
     grid.starts = add_up(count_references(grid.shape, corners, options));
+    const auto references = static_cast<std::int64_t>(grid.starts.back());
+    options.say(std::to_string(references) + " references take " + mebibytes(references));
     grid = fill(std::move(grid), corners, options.threads);
     grid = sort_references(std::move(grid), options.threads);
     return mark_neighbours(std::move(grid), options.threads);

@@ -43,6 +43,7 @@ GridOptions options_of(const BuildRequest& request) {
     grid_options.resolution = number_of<int>(request, options()[1], 0, 1 << 20);
     grid_options.memory_limit =
         number_of<std::int64_t>(request, options()[2], 1, 1 << 20) * (1LL << 20U);
+    grid_options.say = request.say;
     grid_options.reach = static_cast<double>(request.reach);
     return grid_options;
 }

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string>
 
 namespace raysteps {
 
@@ -15,6 +17,8 @@ struct GridOptions {
     double reach = 0.0;                     // see padding.h; usual_reach at least
     std::int64_t memory_limit = 4LL << 30U; // in bytes, for cells and references
     unsigned threads = 0;                   // 0: as many as the machine has cores
+    // Called with what the builder is about to take, in words, before it is taken.
+    std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
 // Boxes of equal size: cell (x, y, z) lies between the planes x and x + 1, y and y + 1, z and z + 1

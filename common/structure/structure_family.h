@@ -20,7 +20,10 @@ struct BuildOption {
 // What a builder is asked for beside the triangles.
 struct BuildRequest {
     float reach = 0.0f; // the rays' origins lie at most so far from any corner, along each axis
-    std::map<std::string, std::string> values; // of BuildOptions, by name; the initial where absent
+    std::map<std::string, std::string>
+        values{}; // of BuildOptions, by name; the initial where absent
+    // Called with what the builder is about to take, in words, before it is taken.
+    std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
 // A measured property of a structure that was built: ("cells", 4096).
