@@ -148,7 +148,7 @@ std::string to_table(std::span<const StructureCosts> costs) {
     for (const StructureCosts& structure : costs) {
         for (const RayCosts& kind : structure.kinds) {
             char line[160];
-            std::snprintf(line, sizeof line, "%-16s %-10s %11.2f %10.2f  %.3f (%.3f to %.3f)\n",
+            std::snprintf(line, sizeof line, "%-16s %-10s %11.2f %10.2f  %.3g (%.3g to %.3g)\n",
                           structure.structure.c_str(), kind.kind.c_str(), kind.visits_a_ray,
                           kind.tests_a_ray, kind.median, kind.lowest, kind.highest);
             table += line;

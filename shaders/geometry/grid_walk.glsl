@@ -46,18 +46,20 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
     int end = grid_start(number + 1);
     bool ended = false;
     for (int round = 0; round < rounds && !ended; ++round) {
-        if (next < end) {
-            int reference = grid_reference(next);
+        // Passed over in a loop of its own: rays that run side by side wait for each other's tests,
+        // and a test that is passed over among them would cost as much as one that is made.
+        for (; round < rounds && next < end && is_tested(grid_reference(next), face); ++round) {
             ++next;
-            if (!is_tested(reference, face)) {
-                int i = grid_triangle(reference);
-                observe_test(i);
-                Hit hit = intersect_triangle(prepared, triangle_corner(i, 0), triangle_corner(i, 1),
-                                             triangle_corner(i, 2), i);
-                if (is_nearer(hit, nearest)) {
-                    nearest = hit;
-                    ended = hit.t <= near_enough;
-                }
+        }
+        if (next < end) {
+            int i = grid_triangle(grid_reference(next));
+            ++next;
+            observe_test(i);
+            Hit hit = intersect_triangle(prepared, triangle_corner(i, 0), triangle_corner(i, 1),
+                                         triangle_corner(i, 2), i);
+            if (is_nearer(hit, nearest)) {
+                nearest = hit;
+                ended = hit.t <= near_enough;
             }
         } else {
             int axis = first_axis(leaves);
