@@ -19,9 +19,9 @@ const std::vector<BuildOption>& options() {
          "median, insertion (one triangle after the other), binned or sweep (surface-area "
          "heuristic at a few planes, or at all)"},
         {"bins", "32", "planes to try along an axis, and one, for --split binned"},
-        {"traversal-cost", "1", "what a node costs"},
+        {"traversal-cost", "3", "what a node costs"},
         {"intersection-cost", "1.5", "what a triangle test costs"},
-        {"leaf-triangles", "4", "no leaf has more"},
+        {"leaf-triangles", "7", "no leaf has more"},
         {"depth", "64", "levels below the root, or as many as it takes to halve the triangles"},
         {"memory-limit", "4096", "the most that the tree may take, in MiB"},
         {"insertion-order", "shuffled", "shuffled or as_given, for --split insertion"},

@@ -1,7 +1,7 @@
 // A bounding volume hierarchy, walked with a stack, near children first. The stack remembers the
-// last 16 far children put off, and forgets those before. When it is empty, the parents lead to the
-// next one (geometry/bvh_climb.glsl): so it cannot overflow, however deep the tree, and a launch
-// can begin with an empty one.
+// last 16 far children put off, and forgets those before: so it cannot overflow, however deep the
+// tree. When it is empty and something was forgotten, the parents lead to the next node
+// (geometry/bvh_climb.glsl), and so they do where a launch goes on, with an empty stack.
 #include "layout/bvh.glsl"
 #include "geometry/box_ray.glsl"
 #include "geometry/box_plain.glsl"
@@ -27,35 +27,37 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
     int triangle = walk.place.y;
     bool done = walk.place.z != 0;
     int put_off[16];
-    int top = 0;    // how many were ever put off and not yet taken up
+    int top = 0;    // how many were put off and not yet taken up, forgotten ones too
     int filled = 0; // how many of the last ones are still there
+    bool forgotten = node != 0;
     int left = rounds;
     while (left > 0 && (node >= 0 || triangle >= 0)) {
-        while (left > 0 && node >= 0 && triangle < 0) {
-            bool inside = false;
-            if (!done) {
-                observe_visit(node);
-                BvhNode here = bvh_node(node);
-                bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
-                triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
-                inside = met && !is_bvh_leaf(here);
-                if (inside) {
-                    BvhChildren children = bvh_children(prepared_for_boxes, node, here.link);
-                    node = children.near;
-                    put_off[top & (bvh_stack_size - 1)] = children.far;
-                    top = top + 1;
-                    filled = min(filled + 1, bvh_stack_size);
-                }
-            }
-            if (!inside && filled > 0) {
+        while (left > 0 && node >= 0 && !done && triangle < 0) {
+            observe_visit(node);
+            BvhNode here = bvh_node(node);
+            bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
+            triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
+            if (met && !is_bvh_leaf(here)) {
+                BvhChildren children = bvh_children(prepared_for_boxes, node, here.link);
+                node = children.near;
+                put_off[top & (bvh_stack_size - 1)] = children.far;
+                top = top + 1;
+                forgotten = forgotten || filled == bvh_stack_size;
+                filled = min(filled + 1, bvh_stack_size);
+            } else if (filled > 0) {
                 top = top - 1;
                 filled = filled - 1;
                 node = put_off[top & (bvh_stack_size - 1)];
-            } else if (!inside) {
-                BvhClimb up = climb_bvh(prepared_for_boxes, node);
-                node = up.node;
-                done = up.left;
+            } else {
+                done = forgotten;
+                node = forgotten ? node : no_bvh_node;
             }
+            --left;
+        }
+        while (left > 0 && node >= 0 && done && triangle < 0) {
+            BvhClimb up = climb_bvh(prepared_for_boxes, node);
+            node = up.node;
+            done = up.left;
             --left;
         }
         while (left > 0 && triangle >= 0) {
