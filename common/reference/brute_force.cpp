@@ -1,6 +1,6 @@
 #include "reference/brute_force.h"
 
-#include "reference/on_all_cores.h"
+#include "parallel/on_threads.h"
 #include "reference/watertight_test.h"
 
 namespace raysteps {
@@ -42,7 +42,8 @@ bool any_hit(const Ray& ray, std::span<const glm::vec3> corners) {
 std::vector<ReferenceHit> nearest_hits(std::span<const Ray> rays,
                                        std::span<const glm::vec3> corners) {
     std::vector<ReferenceHit> hits(rays.size());
-    on_all_cores(rays.size(), [&](std::size_t i) { hits[i] = nearest_hit(rays[i], corners); });
+    on_threads(all_cores, rays.size(),
+               [&](std::size_t i) { hits[i] = nearest_hit(rays[i], corners); });
     return hits;
 }
 

@@ -1,7 +1,7 @@
 #include "reference/exact_nearest.h"
 
+#include "parallel/on_threads.h"
 #include "reference/exact_solution.h"
-#include "reference/on_all_cores.h"
 #include "reference/sure_miss.h"
 
 #include <array>
@@ -64,8 +64,8 @@ ReferenceHit exact_nearest_hit_unfiltered(const Ray& ray, std::span<const glm::v
 std::vector<ReferenceHit> exact_nearest_hits(std::span<const Ray> rays,
                                              std::span<const glm::vec3> corners) {
     std::vector<ReferenceHit> hits(rays.size());
-    on_all_cores(rays.size(),
-                 [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners); });
+    on_threads(all_cores, rays.size(),
+               [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners); });
     return hits;
 }
 

@@ -1,8 +1,8 @@
 #include "reference/whitted.h"
 
 #include "error/error.h"
+#include "parallel/on_threads.h"
 #include "reference/brute_force.h"
-#include "reference/on_all_cores.h"
 #include "reference/reference_ray.h"
 #include "reference/surface.h"
 
@@ -103,7 +103,7 @@ Pixel pixel_at(std::size_t i, int width) {
 Image render_whitted(const Scene& scene, int width, int height, int max_bounces) {
     check_arguments(width, height, max_bounces);
     Image image(width, height);
-    on_all_cores(image.pixels.size(), [&](std::size_t i) {
+    on_threads(all_cores, image.pixels.size(), [&](std::size_t i) {
         const auto [column, row] = pixel_at(i, width);
         const ReferenceRay ray = reference_ray(scene.camera, width, height, column, row);
         image.at(column, row) = trace(scene, ray, max_bounces);
@@ -116,7 +116,7 @@ std::vector<double> whitted_sensitivity(const Scene& scene, int width, int heigh
     check_arguments(width, height, max_bounces);
     std::vector<double> sensitivity(static_cast<std::size_t>(width) *
                                     static_cast<std::size_t>(height));
-    on_all_cores(sensitivity.size(), [&](std::size_t i) {
+    on_threads(all_cores, sensitivity.size(), [&](std::size_t i) {
         const Pixel pixel = pixel_at(i, width);
         const auto color_beside = [&](double right, double down) {
             const ReferenceRay ray =

@@ -1,9 +1,9 @@
 #include "structure/build_grid.h"
 
 #include "error/error.h"
+#include "parallel/on_threads.h"
 #include "structure/grid_neighbours.h"
 #include "structure/grid_overlap.h"
-#include "structure/grid_threads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -97,7 +97,7 @@ std::vector<std::int32_t> count_references(const GridShape& shape,
             total.fetch_add(own, std::memory_order_relaxed);
         }
     };
-    in_parts(corners.size() / 3, triangles_in_part, options.threads, count);
+    in_parts(options.threads, corners.size() / 3, triangles_in_part, count);
     check_memory(cells, total, options);
     return counts;
 }
@@ -127,7 +127,7 @@ Grid fill(Grid grid, std::span<const glm::vec3> corners, unsigned threads) {
             visit_overlapped(grid.shape, overlap_of(grid.shape, corners, triangle), visit);
         }
     };
-    in_parts(corners.size() / 3, triangles_in_part, threads, fill_part);
+    in_parts(threads, corners.size() / 3, triangles_in_part, fill_part);
     return grid;
 }
 
@@ -138,7 +138,7 @@ Grid sort_references(Grid grid, unsigned threads) {
                       grid.references.begin() + grid.starts[cell + 1]);
         }
     };
-    in_parts(static_cast<std::size_t>(cell_count(grid.shape)), 4096, threads, sort_part);
+    in_parts(threads, static_cast<std::size_t>(cell_count(grid.shape)), 4096, sort_part);
     return grid;
 }
 

@@ -1,9 +1,9 @@
 #include "structure/build_kd_tree.h"
 
 #include "error/error.h"
+#include "parallel/on_threads.h"
 #include "structure/kd_grow.h"
 #include "structure/kd_ropes.h"
-#include "structure/kd_threads.h"
 #include "structure/padding.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "structure/bvh_grow.h"
 
-#include "structure/kd_threads.h"
+#include "parallel/on_threads.h"
 
 #include <algorithm>
 #include <bit>

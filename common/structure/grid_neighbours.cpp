@@ -1,6 +1,6 @@
 #include "structure/grid_neighbours.h"
 
-#include "structure/grid_threads.h"
+#include "parallel/on_threads.h"
 
 #include <atomic>
 #include <span>
@@ -68,7 +68,7 @@ Grid mark_neighbours(Grid grid, unsigned threads) {
             }
         }
     };
-    in_parts(static_cast<std::size_t>(cell_count(grid.shape)), 4096, threads, mark_cells);
+    in_parts(threads, static_cast<std::size_t>(cell_count(grid.shape)), 4096, mark_cells);
     return grid;
 }
 
