@@ -1,10 +1,12 @@
 #pragma once
 
 #include "structure/build_bvh.h"
+#include "structure/bvh_cut.h"
 #include "structure/check_bvh.h"
 #include "structure/measure_bvh.h"
 #include "support/soup.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -21,9 +23,32 @@ inline BvhOptions with_split(BvhSplit split) {
     return options;
 }
 
+// A cube of side 1 whose lower corner is there.
+inline BvhItem cube_at(float x, float y, float z, int triangle) {
+    return {{{x, y, z}, {x + 1.0f, y + 1.0f, z + 1.0f}}, triangle};
+}
+
+inline BvhRange range_of(std::span<const BvhItem> items) {
+    BvhRange range{items, {}, {}};
+    for (const BvhItem& item : items) {
+        range.box = merge(range.box, item.box);
+        range.centers = merge(range.centers, doubled_center(item));
+    }
+    return range;
+}
+
 inline std::string first_fault(const Bvh& bvh, std::span<const glm::vec3> corners) {
     const std::vector<std::string> faults = check_bvh(bvh, corners);
     return faults.empty() ? "" : faults.front();
+}
+
+inline bool same_tree(const Bvh& a, const Bvh& b) {
+    const auto same_node = [](const BvhNode& left, const BvhNode& right) {
+        return left.first == right.first && left.count == right.count &&
+               left.box.lower == right.box.lower && left.box.upper == right.box.upper;
+    };
+    return a.order == b.order &&
+           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
 }
 
 // Levels that it takes to halve so many triangles until leaves have room for them.

@@ -2,8 +2,6 @@
 #include "catch.h"
 #include "mirror/every_triangle.h"
 #include "scene/shapes.h"
-#include "structure/split_binned.h"
-#include "structure/split_sweep.h"
 #include "support/error_of.h"
 #include "support/mirror_hits.h"
 #include "support/ray_families.h"
@@ -14,120 +12,6 @@
 #include <limits>
 
 using namespace raysteps;
-
-namespace {
-
-// Boxes at few places and of few sizes, so that centres, sides and costs are often equal.
-std::vector<BvhItem> lattice_items(RandomNumbers& numbers, int count, int steps) {
-    std::vector<BvhItem> items;
-    for (int i = 0; i < count; ++i) {
-        BvhItem item;
-        item.triangle = i;
-        for (int axis = 0; axis < 3; ++axis) {
-            item.box.lower[axis] = static_cast<float>(numbers.below(steps));
-            item.box.upper[axis] =
-                item.box.lower[axis] + static_cast<float>(1 + numbers.below(steps));
-        }
-        items.push_back(item);
-    }
-    return items;
-}
-
-BvhRange range_of(std::span<const BvhItem> items) {
-    BvhRange range{items, {}, {}};
-    for (const BvhItem& item : items) {
-        range.box = merge(range.box, item.box);
-        range.centers = merge(range.centers, doubled_center(item));
-    }
-    return range;
-}
-
-std::vector<BvhItem> in_order(std::vector<BvhItem> items, int axis) {
-    std::stable_sort(items.begin(), items.end(), [axis](const BvhItem& a, const BvhItem& b) {
-        return doubled_center(a, axis) < doubled_center(b, axis);
-    });
-    return items;
-}
-
-double surface_of(std::span<const BvhItem> items) {
-    return surface_area(range_of(items).box);
-}
-
-// The cost of a cut by its definition, from the items alone.
-double cost_of(const std::vector<BvhItem>& items, const BvhCut& cut, const BvhOptions& options) {
-    const std::vector<BvhItem> ordered = in_order(items, cut.axis);
-    const std::span all(ordered);
-    const std::span lower = all.first(cut.lower_count);
-    const std::span upper = all.subspan(cut.lower_count);
-    const double weighted = surface_of(lower) * static_cast<double>(lower.size()) +
-                            surface_of(upper) * static_cast<double>(upper.size());
-    return options.traversal_cost + options.intersection_cost * weighted / surface_of(all);
-}
-
-double least_cost(const std::vector<BvhItem>& items, const BvhOptions& options) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t count = 1; count < items.size(); ++count) {
-            least = std::min(least, cost_of(items, {axis, count}, options));
-        }
-    }
-    return least;
-}
-
-// Sides of the lattice are small whole numbers, so areas are exact; a cost is rounded four times.
-constexpr double rounding = 4e-15;
-
-bool same_tree(const Bvh& a, const Bvh& b) {
-    const auto same_node = [](const BvhNode& left, const BvhNode& right) {
-        return left.first == right.first && left.count == right.count &&
-               left.box.lower == right.box.lower && left.box.upper == right.box.upper;
-    };
-    return a.order == b.order &&
-           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
-}
-
-} // namespace
-
-TEST_CASE("no cut is cheaper than that of the sweep", "[06][build][property]") {
-    REQUIRE(rc::check([] {
-        RandomNumbers numbers(*rc::gen::inRange(0, 1 << 20));
-        const auto count = *rc::gen::inRange(2, 30);
-        const std::vector<BvhItem> items = lattice_items(numbers, count, *rc::gen::inRange(1, 20));
-        const std::optional<BvhCut> cut = split_sweep(range_of(items), {});
-        if (!cut) { // all centres are equal
-            const Box centers = range_of(items).centers;
-            RC_ASSERT(centers.lower == centers.upper);
-            return;
-        }
-        RC_ASSERT(cut->lower_count >= 1 && cut->lower_count < items.size());
-        const double cost = cost_of(items, *cut, {});
-        RC_ASSERT(std::abs(cut->cost - cost) <= rounding * cost);
-        // Along an axis on which all centres are equal the sweep does not look.
-        const Box centers = range_of(items).centers;
-        const bool looks_everywhere = glm::all(glm::lessThan(centers.lower, centers.upper));
-        RC_ASSERT(!looks_everywhere || cost <= least_cost(items, {}) * (1.0 + rounding));
-    }));
-}
-
-TEST_CASE("a binned cut costs what it says and not less than a swept one",
-          "[06][build][property]") {
-    REQUIRE(rc::check([] {
-        RandomNumbers numbers(*rc::gen::inRange(0, 1 << 20));
-        const auto count = *rc::gen::inRange(2, 60);
-        const std::vector<BvhItem> items = lattice_items(numbers, count, *rc::gen::inRange(1, 20));
-        BvhOptions options;
-        options.bins = *rc::gen::inRange(2, 64);
-        const std::optional<BvhCut> cut = split_binned(range_of(items), options);
-        const std::optional<BvhCut> swept = split_sweep(range_of(items), options);
-        RC_ASSERT(cut.has_value() == swept.has_value());
-        if (cut) {
-            RC_ASSERT(cut->lower_count >= 1 && cut->lower_count < items.size());
-            const double cost = cost_of(items, *cut, options);
-            RC_ASSERT(std::abs(cut->cost - cost) <= rounding * cost);
-            RC_ASSERT(cost >= swept->cost * (1.0 - rounding));
-        }
-    }));
-}
 
 TEST_CASE("random triangles on a lattice make trees without faults", "[06][build][property]") {
     REQUIRE(rc::check([] {
@@ -225,22 +109,6 @@ TEST_CASE("the heuristic makes cheaper trees than medians and insertion", "[06][
     CHECK(binned < 0.9 * median);
     CHECK(binned < 0.9 * insertion);
     CHECK(std::abs(binned - sweep) < 0.05 * sweep);
-}
-
-TEST_CASE("the order of the triangles decides the tree that grows by insertion", "[06][build]") {
-    const std::vector<glm::vec3> corners = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 16).corners;
-    BvhOptions options = with_split(BvhSplit::insertion);
-    const Bvh shuffled = build_bvh(corners, options);
-    CHECK(same_tree(build_bvh(corners, options), shuffled));
-    options.seed = 2;
-    CHECK_FALSE(same_tree(build_bvh(corners, options), shuffled));
-    options.insertion_order = InsertionOrder::as_given;
-    const Bvh as_given = build_bvh(corners, options);
-    CHECK(first_fault(as_given, corners).empty());
-    const BvhMeasures worse = measure_bvh(as_given, options);
-    const BvhMeasures better = measure_bvh(shuffled, options);
-    CAPTURE(worse.cost, better.cost, worse.depth, better.depth);
-    CHECK(worse.cost > better.cost);
 }
 
 TEST_CASE("options and corners that make no sense are named", "[06][build]") {
