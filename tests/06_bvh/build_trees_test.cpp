@@ -20,7 +20,9 @@ TEST_CASE("random triangles on a lattice make trees without faults", "[06][build
         const auto steps = *rc::gen::inRange(1, 6); // few: many equal centres, some flat triangles
         std::vector<glm::vec3> corners;
         for (int i = 0; i < 3 * count; ++i) {
-            corners.emplace_back(numbers.below(steps), numbers.below(steps), numbers.below(steps));
+            const glm::vec3 corner(numbers.below(steps), numbers.below(steps),
+                                   numbers.below(steps));
+            corners.insert(corners.end(), corner);
         }
         for (const BvhSplit split : all_splits) {
             BvhOptions options = with_split(split);
