@@ -10,12 +10,15 @@
 // Along an axis where the ray does not go, it is its place that decides: inside, the first plane
 // lies before everything and the last one behind. Nothing is divided by zero for it: such a ray
 // goes as fast as numbers can, and the origin is moved outwards by a hair, so that even a ray in
-// the very plane of a side has a distance from it, and (plane - origin) * inverse is large. A
-// component under 2^-126 counts as none, since a GPU may flush it; over the whole way of a ray with
-// a component above 2^-102 it moves the ray by less than e M. At a box that is padded, the distance
-// is 9 e M or more, so |t| is over 2^107 M, beyond any hit of a ray with a component over 2^-107.
+// the very plane of a side has a distance from it, and (plane - origin) * inverse is large. At a
+// box that is padded the distance is 9 e M or more, so |t| is over 2^107 M, and a ray with a
+// component over 2^-60 has no hit beyond 2^60 M. A component under 2^-126 counts as none, since a
+// GPU may flush it: beside one over 2^-60 it moves no hit by e M. Of a ray with only smaller
+// components, the origin is moved as far as can be, so that such an axis leaves out no box at all.
 const float least_component = 1.1754943508222875e-38f; // 2^-126
-const float hair = 8.673617379884035e-19f;             // 2^-60
+const float least_direction = 8.673617379884035e-19f;  // 2^-60
+const float hair = 8.673617379884035e-19f;             // 2^-60, and 2^-22 of the coordinate
+const float hair_part = 2.384185791015625e-7f;
 
 struct BoxRay {
     real3 first_origin; // to measure to the planes that the ray comes to first
@@ -30,12 +33,14 @@ BoxRay box_ray(Ray ray) {
     prepared.last_origin = ray.origin;
     prepared.inverse = real3(farthest);
     prepared.t_min = ray.t_min;
+    real longest = max(abs(ray.direction.x), max(abs(ray.direction.y), abs(ray.direction.z)));
     for (int axis = 0; axis < 3; ++axis) {
         if (abs(ray.direction[axis]) >= real(least_component)) {
             precise real inverse = real(1.0f) / ray.direction[axis];
             prepared.inverse[axis] = inverse;
         } else {
-            precise real aside = real(hair) + abs(ray.origin[axis]) * real(2.384185791015625e-7f);
+            precise real little = real(hair) + abs(ray.origin[axis]) * real(hair_part);
+            real aside = longest >= real(least_direction) ? little : real(farthest);
             precise real beyond = ray.origin[axis] + aside;
             precise real before = ray.origin[axis] - aside;
             prepared.first_origin[axis] = beyond;

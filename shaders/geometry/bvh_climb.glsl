@@ -38,3 +38,13 @@ BvhClimb climb_bvh(BoxRay ray, int place) {
     }
     return climb;
 }
+
+// place.x is a node, place.y the next triangle of a leaf that was met before, place.z is 1 where
+// the node is done and 0 where it is to be entered.
+Walk start_walk(Ray ray) {
+    Walk walk;
+    walk.nearest = miss(ray);
+    walk.ended = is_empty(ray) || bvh_node_count == 0;
+    walk.place = ivec3(0, no_bvh_triangle, 0);
+    return walk;
+}

@@ -18,8 +18,8 @@ Walk start_walk(Ray ray) {
 // While there are nodes, on to the next leaf, then through its triangles: rays that a processor
 // runs side by side then wait for each other in two short loops, rather than at each node.
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
-    BoxRay prepared_for_boxes = box_ray(ray);
-    PreparedRay prepared = prepare_ray(ray);
+    BoxRay for_boxes = box_ray(ray);
+    PreparedRay for_triangles = prepare_ray(ray);
     Hit nearest = walk.nearest;
     int node = walk.place.x;
     int triangle = walk.place.y;
@@ -28,24 +28,16 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         while (left > 0 && node >= 0 && triangle < 0) {
             observe_visit(node);
             BvhNode here = bvh_node(node);
-            bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
+            bool met = meets_bvh_node(for_boxes, here, nearest.t);
             triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
             node = met && !is_bvh_leaf(here) ? node + 1 : here.skip;
             --left;
         }
-        while (left > 0 && triangle >= 0) {
-            BvhTriangle tested = bvh_triangle(triangle);
-            observe_test(tested.number);
-            Hit hit = intersect_triangle(prepared, tested.a, tested.b, tested.c, tested.number);
-            triangle = tested.last ? no_bvh_triangle : triangle + 1;
-            if (is_nearer(hit, nearest)) {
-                nearest = hit;
-                bool found = hit.t <= near_enough;
-                node = found ? no_bvh_node : node;
-                triangle = found ? no_bvh_triangle : triangle;
-            }
-            --left;
-        }
+        BvhLeaf leaf = test_bvh_leaf(for_triangles, nearest, triangle, near_enough, left);
+        nearest = leaf.nearest;
+        triangle = leaf.triangle;
+        left = leaf.left;
+        node = leaf.found ? no_bvh_node : node;
     }
     walk.nearest = nearest;
     walk.place = ivec3(node, triangle, 0);

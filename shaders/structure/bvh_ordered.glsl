@@ -17,4 +17,5 @@ bool meets_bvh_node(BoxRay ray, BvhNode node, real t_max) {
     return meets_box(ray, node.first_planes, node.last_planes, t_max);
 }
 
+#include "geometry/bvh_leaf.glsl"
 #include "geometry/bvh_skip_walk.glsl"

@@ -5,21 +5,12 @@
 #include "geometry/box_ray.glsl"
 #include "geometry/box_plain.glsl"
 #include "geometry/bvh_choose_planes.glsl"
+#include "geometry/bvh_leaf.glsl"
 #include "geometry/bvh_climb.glsl"
 
-// place.x is a node, place.y the next triangle of a leaf that was met before, place.z is 1 where
-// the node is done and 0 where it is to be entered.
-Walk start_walk(Ray ray) {
-    Walk walk;
-    walk.nearest = miss(ray);
-    walk.ended = is_empty(ray) || bvh_node_count == 0;
-    walk.place = ivec3(0, no_bvh_triangle, 0);
-    return walk;
-}
-
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
-    BoxRay prepared_for_boxes = box_ray(ray);
-    PreparedRay prepared = prepare_ray(ray);
+    BoxRay for_boxes = box_ray(ray);
+    PreparedRay for_triangles = prepare_ray(ray);
     Hit nearest = walk.nearest;
     int node = walk.place.x;
     int triangle = walk.place.y;
@@ -31,31 +22,23 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
             if (!done) {
                 observe_visit(node);
                 BvhNode here = bvh_node(node);
-                bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
+                bool met = meets_bvh_node(for_boxes, here, nearest.t);
                 triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
                 inside = met && !is_bvh_leaf(here);
-                node = inside ? bvh_children(prepared_for_boxes, node, here.link).near : node;
+                node = inside ? bvh_children(for_boxes, node, here.link).near : node;
             }
             if (!inside) {
-                BvhClimb up = climb_bvh(prepared_for_boxes, node);
+                BvhClimb up = climb_bvh(for_boxes, node);
                 node = up.node;
                 done = up.left;
             }
             --left;
         }
-        while (left > 0 && triangle >= 0) {
-            BvhTriangle tested = bvh_triangle(triangle);
-            observe_test(tested.number);
-            Hit hit = intersect_triangle(prepared, tested.a, tested.b, tested.c, tested.number);
-            triangle = tested.last ? no_bvh_triangle : triangle + 1;
-            if (is_nearer(hit, nearest)) {
-                nearest = hit;
-                bool found = hit.t <= near_enough;
-                node = found ? no_bvh_node : node;
-                triangle = found ? no_bvh_triangle : triangle;
-            }
-            --left;
-        }
+        BvhLeaf leaf = test_bvh_leaf(for_triangles, nearest, triangle, near_enough, left);
+        nearest = leaf.nearest;
+        triangle = leaf.triangle;
+        left = leaf.left;
+        node = leaf.found ? no_bvh_node : node;
     }
     walk.nearest = nearest;
     walk.place = ivec3(node, triangle, done ? 1 : 0);

@@ -9,4 +9,5 @@ int first_bvh_node(BoxRay ray) {
     return 0;
 }
 
+#include "geometry/bvh_leaf.glsl"
 #include "geometry/bvh_skip_walk.glsl"

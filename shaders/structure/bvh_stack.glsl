@@ -6,22 +6,14 @@
 #include "geometry/box_ray.glsl"
 #include "geometry/box_plain.glsl"
 #include "geometry/bvh_choose_planes.glsl"
+#include "geometry/bvh_leaf.glsl"
 #include "geometry/bvh_climb.glsl"
 
 const int bvh_stack_size = 16; // a power of two: places in it go round
 
-// place is that of bvh_parent.
-Walk start_walk(Ray ray) {
-    Walk walk;
-    walk.nearest = miss(ray);
-    walk.ended = is_empty(ray) || bvh_node_count == 0;
-    walk.place = ivec3(0, no_bvh_triangle, 0);
-    return walk;
-}
-
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
-    BoxRay prepared_for_boxes = box_ray(ray);
-    PreparedRay prepared = prepare_ray(ray);
+    BoxRay for_boxes = box_ray(ray);
+    PreparedRay for_triangles = prepare_ray(ray);
     Hit nearest = walk.nearest;
     int node = walk.place.x;
     int triangle = walk.place.y;
@@ -35,10 +27,10 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         while (left > 0 && node >= 0 && !done && triangle < 0) {
             observe_visit(node);
             BvhNode here = bvh_node(node);
-            bool met = meets_bvh_node(prepared_for_boxes, here, nearest.t);
+            bool met = meets_bvh_node(for_boxes, here, nearest.t);
             triangle = met ? max(here.link, no_bvh_triangle) : no_bvh_triangle;
             if (met && !is_bvh_leaf(here)) {
-                BvhChildren children = bvh_children(prepared_for_boxes, node, here.link);
+                BvhChildren children = bvh_children(for_boxes, node, here.link);
                 node = children.near;
                 put_off[top & (bvh_stack_size - 1)] = children.far;
                 top = top + 1;
@@ -55,24 +47,16 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
             --left;
         }
         while (left > 0 && node >= 0 && done && triangle < 0) {
-            BvhClimb up = climb_bvh(prepared_for_boxes, node);
+            BvhClimb up = climb_bvh(for_boxes, node);
             node = up.node;
             done = up.left;
             --left;
         }
-        while (left > 0 && triangle >= 0) {
-            BvhTriangle tested = bvh_triangle(triangle);
-            observe_test(tested.number);
-            Hit hit = intersect_triangle(prepared, tested.a, tested.b, tested.c, tested.number);
-            triangle = tested.last ? no_bvh_triangle : triangle + 1;
-            if (is_nearer(hit, nearest)) {
-                nearest = hit;
-                bool found = hit.t <= near_enough;
-                node = found ? no_bvh_node : node;
-                triangle = found ? no_bvh_triangle : triangle;
-            }
-            --left;
-        }
+        BvhLeaf leaf = test_bvh_leaf(for_triangles, nearest, triangle, near_enough, left);
+        nearest = leaf.nearest;
+        triangle = leaf.triangle;
+        left = leaf.left;
+        node = leaf.found ? no_bvh_node : node;
     }
     walk.nearest = nearest;
     walk.place = ivec3(node, triangle, done ? 1 : 0);

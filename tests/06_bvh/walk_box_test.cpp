@@ -126,11 +126,12 @@ TEST_CASE("B3 at an offset of a million the box test is as sharp as at zero", "[
     const glm::vec3 offset(1e6f);
     const Box box{offset, offset + 1.0f};
     for (int axis = 0; axis < 3; ++axis) {
-        Ray ray{offset + glm::vec3(-1.0f), glm::vec3(1.0f), 0.0f, no_end};
-        CHECK(meets_plain(ray, box)); // through the corners
-        ray.t_max = 1.0f;
+        // Enters the box at its lower corner, at t = 1 / 0.3.
+        Ray ray{offset + glm::vec3(-1.0f), glm::vec3(0.3f), 0.0f, no_end};
         CHECK(meets_plain(ray, box));
-        ray.t_max = 0.9999f;
+        ray.t_max = 3.334f;
+        CHECK(meets_plain(ray, box));
+        ray.t_max = 3.333f;
         CHECK_FALSE(meets_plain(ray, box));
         ray.t_max = no_end;
         ray.origin[axis] -= 1.25f;
