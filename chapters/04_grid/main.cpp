@@ -18,9 +18,9 @@ int main(int argc, char** argv) {
     add_tracing_options(app, command);
     add_view_option(app, view);
     app.add_flag("--measure", measure, "measure the grid with and without repeated tests")
-        ->excludes("--rays", "--window");
+        ->excludes("--rays", "--window", "--structure", "--view");
     app.add_flag("--plot", plot, "plot steps, tests and time against the resolution")
-        ->excludes("--rays", "--window", "--measure");
+        ->excludes("--rays", "--window", "--measure", "--view", "--resolution", "--density");
     return run_command(app, command, argc, argv, [&] {
         if (measure || plot) {
             const Scene scene = open_scene(command);

@@ -2,8 +2,11 @@
 
 #include "command/deliver.h"
 #include "command/progress.h"
+#include "command/tracing_options.h"
+#include "error/error.h"
 #include "measure/measure_structures.h"
 #include "report/plot.h"
+#include "structure/families.h"
 
 #include <iostream>
 
@@ -19,6 +22,11 @@ const std::vector<int> resolutions{1, 2, 4, 8, 12, 16, 24, 32, 48, 64, 96, 128, 
 } // namespace
 
 void plot_resolution(const Command& command, const Scene& scene) {
+    check_build_values(command, {{command.structure}});
+    if (family_of(command.structure).name != "grid") {
+        throw InputError("--structure " + command.structure +
+                         ": --plot is about grids. Take grid or grid_mailbox.");
+    }
     PlotLine visits{"cells visited", {}};
     PlotLine tests{"triangles tested", {}};
     PlotLine time{"time in ns", {}};

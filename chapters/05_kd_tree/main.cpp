@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     add_tracing_options(app, command);
     add_view_option(app, view);
     app.add_flag("--measure", measure, "measure all four walks, and the grid beside them")
-        ->excludes("--rays", "--window");
+        ->excludes("--rays", "--window", "--structure", "--view");
     return run_command(app, command, argc, argv, [&] {
         if (measure) {
             const Scene scene = open_scene(command);

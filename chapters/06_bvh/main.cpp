@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     add_tracing_options(app, command);
     add_view_option(app, view);
     app.add_flag("--measure", measure, "measure all walks of the hierarchy, side by side")
-        ->excludes("--rays", "--window");
+        ->excludes("--rays", "--window", "--structure", "--view");
     return run_command(app, command, argc, argv, [&] {
         if (measure) {
             const Scene scene = open_scene(command);

@@ -2,6 +2,7 @@
 
 #include "command/deliver.h"
 #include "command/progress.h"
+#include "command/tracing_options.h"
 
 #include <iostream>
 
@@ -31,6 +32,7 @@ nlohmann::ordered_json numbers_of(const StructureCosts& costs) {
 
 void measure_and_report(const Command& command, const Scene& scene,
                         const std::vector<std::string>& structures) {
+    check_build_values(command, structures);
     const std::vector<StructureCosts> all =
         measure_structures(scene,
                            {.structures = structures,

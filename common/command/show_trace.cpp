@@ -3,6 +3,7 @@
 #include "command/deliver.h"
 #include "command/timed_trace.h"
 #include "command/tracing_options.h"
+#include "error/error.h"
 #include "gpu/shader_catalog.h"
 #include "image/heat_map.h"
 #include "render/generate_rays.h"
@@ -73,6 +74,10 @@ void add_view_option(CLI::App& app, std::string& view) {
 void show_trace(const Command& command, const std::string& view) {
     Parts parts = trace_parts(command);
     const Counted counted = counted_in(view);
+    if (counted == Counted::visits && command.structure == "every_triangle") {
+        throw InputError("--view visits: the loop over every triangle visits no cells. Take --view "
+                         "tests, or another --structure.");
+    }
     const std::string view_part = counted == Counted::nothing ? find_part("view", view) : "";
     const Scene scene = open_scene(command);
     const auto context = open_context(command);

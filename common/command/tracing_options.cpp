@@ -7,6 +7,7 @@
 #include "structure/reach.h"
 
 #include <cstdio>
+#include <set>
 
 namespace raysteps {
 
@@ -38,27 +39,9 @@ std::map<std::string, BuildOption> merged_options() {
     return merged;
 }
 
-// An option of another structure would be passed over in silence.
-void check_values(const Command& command, const StructureFamily& family) {
-    for (const auto& [name, value] : command.build_values) {
-        std::string own;
-        bool is_own = false;
-        for (const BuildOption& option : family.options) {
-            is_own = is_own || option.name == name;
-            own += (own.empty() ? "--" : ", --") + option.name;
-        }
-        if (!is_own) {
-            throw InputError("--" + name + " " + value + ": the structure " + command.structure +
-                             (own.empty() ? " has no options. Leave it out, or choose another "
-                                            "--structure."
-                                          : " has no such option. It takes " + own + "."));
-        }
-    }
-}
-
 BuiltStructure build(const Command& command, const Scene& scene, float reach) {
     const StructureFamily family = family_of(command.structure);
-    check_values(command, family);
+    check_build_values(command, {{command.structure}});
     BuiltStructure built;
     {
         const WorkNotice notice("building " + command.structure);
@@ -98,6 +81,28 @@ void add_tracing_options(CLI::App& app, Command& command) {
             "--" + name,
             [&command, key = name](const std::string& value) { command.build_values[key] = value; },
             option.meaning);
+    }
+}
+
+void check_build_values(const Command& command, std::span<const std::string> structures) {
+    std::string names;
+    std::string options;
+    std::set<std::string> known;
+    for (const std::string& structure : structures) {
+        names += (names.empty() ? "" : ", ") + structure;
+        for (const BuildOption& option : family_of(structure).options) {
+            if (known.insert(option.name).second) {
+                options += (options.empty() ? "--" : ", --") + option.name;
+            }
+        }
+    }
+    for (const auto& [name, value] : command.build_values) {
+        if (!known.contains(name)) {
+            throw InputError("--" + name + " " + value + ": not an option of " + names +
+                             (options.empty() ? ", which has none. Leave it out, or choose another "
+                                                "--structure."
+                                              : ". Take one of " + options + "."));
+        }
     }
 }
 

@@ -16,6 +16,10 @@ void add_tracing_options(CLI::App& app, Command& command);
 // The parts that --triangle and --structure ask for. Throws InputError.
 Parts trace_parts(const Command& command);
 
+// Throws InputError where an option was given that no builder of these structures has: it would be
+// passed over in silence.
+void check_build_values(const Command& command, std::span<const std::string> structures);
+
 // The structure of --structure over the scene, for rays from the scene's camera (and from wherever
 // a person in a window may go), or for the rays given. Prints the facts of it.
 BuiltStructure build_structure(const Command& command, const Scene& scene);

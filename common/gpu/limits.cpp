@@ -10,8 +10,9 @@ namespace raysteps {
 
 namespace {
 
-// A loop that is stopped below this makes every pass a crowd of launches: something is wrong.
-constexpr int least_loop_budget = 1024;
+// What 16 rays that share a budget need for a launch of a walk: rounds, and the way down and up a
+// tree that may come on top of them.
+constexpr int least_loop_budget = 8192;
 
 int measure_loop_budget() {
     Program program("pass/probe_loop.frag");

@@ -5,10 +5,12 @@
 
 namespace raysteps::mirror {
 
-// The walks through a kd-tree, in single or double precision.
+// The walks through a kd-tree. In single precision only: the place of a walk holds its t as a
+// float.
 
 template <class Real>
 struct KdRestart {
+    static_assert(sizeof(Real) == sizeof(float));
 #define TRIANGLE_PART "geometry/triangle_watertight.glsl"
 #define STRUCTURE_PART "structure/kd_restart.glsl"
 #include "mirror/parts.inc"
@@ -16,6 +18,7 @@ struct KdRestart {
 
 template <class Real>
 struct KdBacktrack {
+    static_assert(sizeof(Real) == sizeof(float));
 #define TRIANGLE_PART "geometry/triangle_watertight.glsl"
 #define STRUCTURE_PART "structure/kd_backtrack.glsl"
 #include "mirror/parts.inc"
@@ -23,6 +26,7 @@ struct KdBacktrack {
 
 template <class Real>
 struct KdShortStack {
+    static_assert(sizeof(Real) == sizeof(float));
 #define TRIANGLE_PART "geometry/triangle_watertight.glsl"
 #define STRUCTURE_PART "structure/kd_short_stack.glsl"
 #include "mirror/parts.inc"
@@ -30,6 +34,7 @@ struct KdShortStack {
 
 template <class Real>
 struct KdRopesWalk {
+    static_assert(sizeof(Real) == sizeof(float));
 #define TRIANGLE_PART "geometry/triangle_watertight.glsl"
 #define STRUCTURE_PART "structure/kd_ropes.glsl"
 #include "mirror/parts.inc"

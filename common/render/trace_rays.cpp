@@ -18,9 +18,9 @@ constexpr int usual_rounds_per_launch = 2048;
 // rays), and each makes its rounds while the others wait.
 constexpr int rays_side_by_side = 16;
 
-// More launches than any walk through a structure needs; the loop over every triangle says itself
-// how many it needs beyond. A walk that makes no progress is found out in minutes.
-constexpr int most_launches = 1 << 14;
+// So many launches in which no ray comes to its end mean that a walk stands still. (A cell or leaf
+// would have to list eight million triangles to need as many.)
+constexpr int most_launches_in_vain = 1 << 12;
 
 constexpr float farthest = std::numeric_limits<float>::max();
 
@@ -90,14 +90,14 @@ Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, co
     std::optional<LiveMask> everywhere;
     const LiveMask& asked = live ? *live : everywhere.emplace(width, height);
     const double ray_count = static_cast<double>(width) * height;
-    const int launches_allowed = most_launches + scene.structure.longest_walk / rounds_per_launch_;
-    for (launches_ = 1; launches_ <= launches_allowed; ++launches_) {
+    const int launches_of_longest = scene.structure.longest_walk / rounds_per_launch_;
+    long last_unfinished = -1;
+    int in_vain = 0;
+    for (launches_ = 1; in_vain <= most_launches_in_vain + launches_of_longest; ++launches_) {
         trace_.set("first_launch", launches_ == 1 ? 1 : 0)
             .set("last_hits", last.hits)
-            .set("last_places", last.places);
-        if (observed_) {
-            trace_.set("last_observations", *last.observations);
-        }
+            .set("last_places", last.places)
+            .set("last_observations", observed_ ? *last.observations : last.places);
         draw(trace_, {.textures = next.targets(), .live = live});
         std::swap(last, next);
         select_unfinished_.set("places", last.places);
@@ -107,13 +107,17 @@ Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, co
             observations_ = std::move(last.observations);
             return std::move(last.hits);
         }
+        in_vain = unfinished == last_unfinished ? in_vain + 1 : 0;
+        last_unfinished = unfinished;
         const double rounds = static_cast<double>(launches_) * rounds_per_launch_;
         progress_(scene.structure.longest_walk > 0
                       ? rounds / scene.structure.longest_walk
                       : 1.0 - static_cast<double>(unfinished) / ray_count);
     }
-    throw MachineError("This machine's OpenGL does not bring a walk to its end. Update the driver, "
-                       "or try --context osmesa.");
+    throw MachineError("The walk of " + std::to_string(last_unfinished) +
+                       " rays stands still after " + std::to_string(launches_ - 1) +
+                       " launches. If a shader was edited, look there; else update the driver, or "
+                       "try --context osmesa.");
 }
 
 } // namespace raysteps

@@ -3,7 +3,8 @@
 #include "error/error.h"
 #include "file/write_file.h"
 
-#include <cstdio>
+#include <sys/wait.h>
+
 #include <cstdlib>
 #include <sstream>
 
@@ -11,8 +12,8 @@ namespace raysteps {
 
 namespace {
 
-// In the quotes of gnuplot and of the shell alike, '' within '...' is no end only for gnuplot, so
-// the name of a file with such a mark is refused rather than guessed at.
+// For gnuplot and for the shell alike: neither looks into '...' until the next mark. Texts lose
+// such marks; paths with one are refused.
 std::string quoted(const std::string& text) {
     std::string safe;
     for (const char letter : text) {
@@ -51,18 +52,25 @@ std::string script_of(const Plot& plot, const std::filesystem::path& png) {
 } // namespace
 
 void write_plot(const std::filesystem::path& png, const Plot& plot) {
-    if (png.string().find('\'') != std::string::npos) {
-        throw InputError(png.string() + ": a plot's path cannot hold the mark '. Choose another.");
+    if (png.string().find_first_of("'\n") != std::string::npos) {
+        throw InputError(png.string() + ": a plot's path cannot hold the mark ' or a line's end. "
+                                        "Choose another --out.");
     }
     std::filesystem::path script = png;
     script.replace_extension(".gp");
     write_file(script, script_of(plot, png));
+    const std::string command = "gnuplot " + quoted(std::filesystem::absolute(script).string());
     // NOLINTNEXTLINE(cert-env33-c): the path is ours, and quoted
-    if (std::system(("gnuplot " + quoted(script.string())).c_str()) != 0) {
+    const int status = std::system(command.c_str());
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
         throw MachineError(png.string() +
-                           ": gnuplot does not draw the plot. Install gnuplot (the package "
-                           "gnuplot-nox), or draw " +
+                           ": gnuplot is missing. Install the package gnuplot-nox, "
+                           "or draw " +
                            script.string() + " elsewhere.");
+    }
+    if (status != 0) {
+        throw MachineError(png.string() + ": gnuplot does not draw " + script.string() +
+                           ", for the reason above.");
     }
 }
 

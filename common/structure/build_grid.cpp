@@ -47,13 +47,14 @@ void check_input(std::span<const glm::vec3> corners, const GridOptions& options)
 
 // Throws where so many cells with so many references take too much.
 void check_memory(std::int64_t cells, std::int64_t references, const GridOptions& options) {
-    const std::int64_t bytes = bytes_each * (cells + 1 + references);
-    if (bytes > options.memory_limit || cells >= most_numbers || references > most_numbers) {
-        const std::string coarser = options.resolution > 0 ? "--resolution" : "--density";
-        throw InputError("a grid of " + std::to_string(cells) + " cells takes " +
-                         std::to_string(bytes / bytes_in_mebibyte) + " MiB or more with " +
-                         std::to_string(references) +
-                         " references or more, and it may have 2147483647 of each and " +
+    const std::string coarser = options.resolution > 0 ? "--resolution" : "--density";
+    const std::string numbers = "a grid of " + std::to_string(cells) + " cells and " +
+                                std::to_string(references) + " references or more";
+    if (cells >= most_numbers || references > most_numbers) {
+        throw InputError(numbers + " cannot be numbered. Take a smaller " + coarser + ".");
+    }
+    if (bytes_each * (cells + 1 + references) > options.memory_limit) {
+        throw InputError(numbers + " takes over " +
                          std::to_string(options.memory_limit / bytes_in_mebibyte) +
                          " MiB. Take a smaller " + coarser + ", or a larger --memory-limit.");
     }

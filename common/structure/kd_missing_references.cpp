@@ -7,8 +7,8 @@ namespace raysteps {
 
 namespace {
 
-// The part of the padding that a ray can need: 27 of 32 (see structure/padding.h).
-constexpr double part_needed = 27.0 / 32.0;
+// The part of the padding that a ray can need: 25 of 32 (see structure/padding.h).
+constexpr double part_needed = 25.0 / 32.0;
 
 bool holds(const ExactBox& box, const glm::vec3& corner) {
     bool inside = true;

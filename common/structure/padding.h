@@ -12,9 +12,9 @@ namespace raysteps {
 // geometry/triangle_watertight.glsl at t has a point P of its triangle with |origin + t * direction
 // - P| <= 23 e M along each axis: 6 e M from the sheared corners, 17 e M from the shares and the
 // sum that makes t (docs/numerics.md has each term). A plane's distance (plane - origin) /
-// direction is rounded twice, which is 2 e M; the point where a walk starts, another 2 e M. So P
-// lies within 27 e M of the cell that the walk holds for the one at t. 32 e M leaves room for terms
-// in e^2 and for the arithmetic of the builder, which is in double.
+// direction is rounded twice, which is 2 e M. So P lies within 25 e M of the cell that the walk
+// holds for the one at t. 32 e M leaves room for terms in e^2 and for the arithmetic of the
+// builder, which is in double.
 double padding_for(double reach);
 
 // The reach that serves rays with origins in the scene or around it: four times the largest side

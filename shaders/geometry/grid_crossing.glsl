@@ -61,7 +61,7 @@ struct GridPart {
 GridPart part_in_grid(Ray ray) {
     GridPart part;
     part.start = ray.t_min;
-    part.end = ray.t_max;
+    part.end = min(ray.t_max, real(farthest));
     for (int axis = 0; axis < 3; ++axis) {
         int last = grid_cells[axis];
         bool up = goes_up(ray, axis);

@@ -19,7 +19,7 @@ struct KdPart {
 KdPart part_in_tree(Ray ray) {
     KdPart part;
     part.entry = ray.t_min;
-    part.exit = ray.t_max;
+    part.exit = min(ray.t_max, real(farthest)); // an exit may be compared, so it is a number
     bool outside = false;
     for (int axis = 0; axis < 3; ++axis) {
         real origin = ray.origin[axis];

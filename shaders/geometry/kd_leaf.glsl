@@ -32,6 +32,12 @@ struct KdVisit {
 // smallest triangle wins. One beyond the exit is kept, and may be beaten.
 KdVisit visit_leaf(Walk walk, KdDescent leaf, PreparedRay ray, real end, real near_enough,
                    int rounds) {
+    KdVisit visit;
+    if (leaf.node.axis != kd_leaf) { // the platform cut the descent: it is made again
+        visit.walk = walk;
+        visit.rounds = 0;
+        return visit;
+    }
     int first = walk.place.z == all_references ? leaf.node.first_reference : walk.place.z;
     int last = leaf.node.end_reference;
     int allowed = max(rounds, 1);
@@ -50,7 +56,6 @@ KdVisit visit_leaf(Walk walk, KdDescent leaf, PreparedRay ray, real end, real ne
             found = hit.t <= near_enough;
         }
     }
-    KdVisit visit;
     visit.rounds = rounds - (i - first);
     visit.walk.nearest = nearest;
     visit.walk.place = ivec3(walk.place.x, leaf.place, i);

@@ -31,7 +31,7 @@ PreparedRay prepare_ray(Ray ray) {
     prepared.origin = ray.origin;
     prepared.shear = real3(shear_x, shear_y, shear_z);
     prepared.t_min = ray.t_min;
-    prepared.t_max = ray.t_max;
+    prepared.t_max = min(ray.t_max, real(farthest)); // beyond, t is infinite and tells nothing
     return prepared;
 }
 

@@ -29,10 +29,11 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         // Where a ray runs through an edge or a corner of a leaf, the rope leads to a leaf that it
         // only touches. The right one is a rope or two farther.
         bool only_touched = leaf.exit <= t && leaf.exit < end;
-        if (!only_touched) {
+        if (!only_touched || leaf.node.axis != kd_leaf) {
             visit = visit_leaf(visit.walk, leaf, prepared, end, near_enough, visit.rounds);
         }
-        if (only_touched || has_left_leaf(visit.walk)) {
+        bool is_whole = leaf.node.axis == kd_leaf;
+        if (is_whole && (only_touched || has_left_leaf(visit.walk))) {
             visit.walk.place.y = kd_rope(leaf.node.leaf, exit.face);
         }
     }

@@ -219,6 +219,26 @@ inline std::vector<Ray> nonsense_rays() {
     return rays;
 }
 
+// So short that t overflows, or so long that it nearly underflows. The shortest go along an axis,
+// for what else they have would be denormal (docs/numerics.md, what is not covered).
+inline std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers,
+                                               std::span<const glm::vec3> corners, int count) {
+    const std::array lengths{1e-30f, 1e-20f, 1e20f, 1e30f};
+    std::vector<Ray> rays = rays_at_triangles(numbers, corners, count);
+    for (Ray& ray : rays) {
+        ray.t_max = numbers.below(2) == 0 ? no_end : std::numeric_limits<float>::infinity();
+        if (numbers.below(2) == 0) {
+            ray.direction *= lengths[static_cast<std::size_t>(numbers.below(4))];
+        } else {
+            const int axis = numbers.below(3);
+            const float along = ray.direction[axis] < 0.0f ? -2e-38f : 2e-38f;
+            ray.direction = glm::vec3(0.0f);
+            ray.direction[axis] = along;
+        }
+    }
+    return rays;
+}
+
 struct RayFamily {
     std::string name;
     std::vector<Ray> rays;
@@ -234,6 +254,7 @@ inline std::vector<RayFamily> ray_families(RandomNumbers& numbers,
             {"from inside", rays_from_inside(numbers, corners, count)},
             {"axis-parallel", axis_parallel_rays(numbers, corners, count)},
             {"with a zero", rays_with_a_zero(numbers, corners, count)},
+            {"of extreme length", rays_of_extreme_length(numbers, corners, count)},
             {"segments", segments(numbers, corners, count)}};
 }
 
