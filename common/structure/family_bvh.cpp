@@ -13,6 +13,8 @@ namespace raysteps {
 
 namespace {
 
+// A step costs more here than BvhOptions says: a node is two fetches from memory, and rays that go
+// side by side wait for each other at it. chapters/06_bvh --measure shows what the costs do.
 const std::vector<BuildOption>& options() {
     static const std::vector<BuildOption> all{
         {"split", "binned",
