@@ -1,11 +1,9 @@
-#include "error/error.h"
 #include "structure/build_bvh.h"
+#include "structure/build_values.h"
 #include "structure/bvh_pack.h"
 #include "structure/measure_bvh.h"
 #include "structure/structure_family.h"
 
-#include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <string>
 
@@ -32,69 +30,24 @@ const std::vector<BuildOption>& options() {
     return all;
 }
 
-const BuildOption& option_named(const std::string& name) {
-    const auto place = std::find_if(options().begin(), options().end(),
-                                    [&](const BuildOption& option) { return option.name == name; });
-    if (place == options().end()) {
-        throw InputError("--" + name + ": the BVH has no such option. See --help.");
-    }
-    return *place;
-}
-
-std::string text_of(const BuildRequest& request, const std::string& name) {
-    const auto place = request.values.find(name);
-    return place == request.values.end() ? option_named(name).initial : place->second;
-}
-
-// The value of an option as a number. Throws InputError where it is none, or out of range.
-template <class Number>
-Number number_of(const BuildRequest& request, const std::string& name, Number lowest,
-                 Number highest) {
-    const std::string text = text_of(request, name);
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
-        throw InputError("--" + name + " " + text + ": " + option_named(name).meaning +
-                         ". Give a number from " + std::to_string(lowest) + " to " +
-                         std::to_string(highest) + ".");
-    }
-    return number;
-}
-
-// The value of an option that is one of a few words. Throws InputError where it is none of them.
-template <class Choice>
-Choice choice_of(const BuildRequest& request, const std::string& name,
-                 const std::vector<std::pair<std::string, Choice>>& choices) {
-    const std::string text = text_of(request, name);
-    std::string words;
-    for (const auto& [word, choice] : choices) {
-        if (word == text) {
-            return choice;
-        }
-        words += (words.empty() ? "" : ", ") + word;
-    }
-    throw InputError("--" + name + " " + text + ": there is no such choice. Take one of " + words +
-                     ".");
-}
-
 BvhOptions options_of(const BuildRequest& request) {
+    const BuildValues values{options(), request};
     BvhOptions chosen;
-    chosen.split = choice_of<BvhSplit>(request, "split",
+    chosen.split = choice_of<BvhSplit>(values, "split",
                                        {{"median", BvhSplit::median},
                                         {"insertion", BvhSplit::insertion},
                                         {"binned", BvhSplit::binned},
                                         {"sweep", BvhSplit::sweep}});
-    chosen.bins = number_of<int>(request, "bins", 2, 256);
-    chosen.traversal_cost = number_of<double>(request, "traversal-cost", 0.0, 1e6);
-    chosen.intersection_cost = number_of<double>(request, "intersection-cost", 0.0, 1e6);
-    chosen.leaf_triangles = number_of<int>(request, "leaf-triangles", 1, 1 << 20);
-    chosen.depth_limit = number_of<int>(request, "depth", 0, 1 << 20);
-    chosen.memory_limit = number_of<std::int64_t>(request, "memory-limit", 1, 1 << 20) * (1 << 20);
+    chosen.bins = number_of<int>(values, "bins", 2, 256);
+    chosen.traversal_cost = number_of<double>(values, "traversal-cost", 0.0, 1e6);
+    chosen.intersection_cost = number_of<double>(values, "intersection-cost", 0.0, 1e6);
+    chosen.leaf_triangles = number_of<int>(values, "leaf-triangles", 1, 1 << 20);
+    chosen.depth_limit = number_of<int>(values, "depth", 0, 1 << 20);
+    chosen.memory_limit = number_of<std::int64_t>(values, "memory-limit", 1, 1 << 20) * (1 << 20);
     chosen.insertion_order = choice_of<InsertionOrder>(
-        request, "insertion-order",
+        values, "insertion-order",
         {{"shuffled", InsertionOrder::shuffled}, {"as_given", InsertionOrder::as_given}});
-    chosen.seed = number_of<int>(request, "seed", 0, 1 << 30);
+    chosen.seed = number_of<int>(values, "seed", 0, 1 << 30);
     chosen.reach = static_cast<double>(request.reach);
     return chosen;
 }

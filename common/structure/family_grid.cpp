@@ -1,9 +1,8 @@
-#include "error/error.h"
 #include "structure/build_grid.h"
+#include "structure/build_values.h"
 #include "structure/structure_family.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <string>
 
@@ -20,29 +19,13 @@ const std::vector<BuildOption>& options() {
     return all;
 }
 
-// The value of an option as a number. Throws InputError where it is none, or out of range.
-template <class Number>
-Number number_of(const BuildRequest& request, const BuildOption& option, Number lowest,
-                 Number highest) {
-    const auto place = request.values.find(option.name);
-    const std::string& text = place == request.values.end() ? option.initial : place->second;
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
-        throw InputError("--" + option.name + " " + text + ": " + option.meaning +
-                         ". Give a number from " + std::to_string(lowest) + " to " +
-                         std::to_string(highest) + ".");
-    }
-    return number;
-}
-
 GridOptions options_of(const BuildRequest& request) {
+    const BuildValues values{options(), request};
     GridOptions grid_options;
-    grid_options.density = number_of<double>(request, options()[0], 0.0, 1e6);
-    grid_options.resolution = number_of<int>(request, options()[1], 0, 1 << 20);
+    grid_options.density = number_of<double>(values, "density", 1e-6, 1e6);
+    grid_options.resolution = number_of<int>(values, "resolution", 0, 1 << 20);
     grid_options.memory_limit =
-        number_of<std::int64_t>(request, options()[2], 1, 1 << 20) * (1LL << 20U);
+        number_of<std::int64_t>(values, "memory-limit", 1, 1 << 20) * (1LL << 20U);
     grid_options.say = request.say;
     grid_options.reach = static_cast<double>(request.reach);
     return grid_options;

@@ -1,10 +1,9 @@
-#include "error/error.h"
 #include "structure/build_kd_tree.h"
+#include "structure/build_values.h"
 #include "structure/kd_pack.h"
 #include "structure/measure_kd_tree.h"
 #include "structure/structure_family.h"
 
-#include <charconv>
 #include <chrono>
 #include <string>
 
@@ -26,57 +25,18 @@ const std::vector<BuildOption>& options() {
     return all;
 }
 
-const BuildOption& option_named(const std::string& name) {
-    for (const BuildOption& option : options()) {
-        if (option.name == name) {
-            return option;
-        }
-    }
-    throw InputError("--" + name + ": the kd-tree has no such option. See --help.");
-}
-
-std::string text_of(const BuildRequest& request, const std::string& name) {
-    const auto place = request.values.find(name);
-    return place == request.values.end() ? option_named(name).initial : place->second;
-}
-
-// The value of an option as a number. Throws InputError where it is none, or out of range.
-template <class Number>
-Number number_of(const BuildRequest& request, const std::string& name, Number lowest,
-                 Number highest) {
-    const std::string text = text_of(request, name);
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
-        throw InputError("--" + name + " " + text + ": " + option_named(name).meaning +
-                         ". Give a number from " + std::to_string(lowest) + " to " +
-                         std::to_string(highest) + ".");
-    }
-    return number;
-}
-
-KdSplit split_of(const BuildRequest& request) {
-    const std::string text = text_of(request, "split");
-    if (text == "area") {
-        return KdSplit::area;
-    }
-    if (text == "median") {
-        return KdSplit::median;
-    }
-    throw InputError("--split " + text + ": there is no such rule. Take area or median.");
-}
-
 KdOptions options_of(const BuildRequest& request) {
+    const BuildValues values{options(), request};
     KdOptions chosen;
-    chosen.split = split_of(request);
-    chosen.traversal_cost = number_of<double>(request, "traversal-cost", 0.0, 1e6);
-    chosen.intersection_cost = number_of<double>(request, "intersection-cost", 1e-6, 1e6);
-    chosen.empty_bonus = number_of<double>(request, "empty-bonus", 0.0, 1.0);
-    chosen.leaf_triangles = number_of<int>(request, "leaf-triangles", 0, 1 << 20);
-    chosen.depth_limit = number_of<int>(request, "depth", -1, 64);
-    chosen.bad_splits = number_of<int>(request, "bad-splits", 0, 16);
-    chosen.most_bytes = number_of<std::size_t>(request, "memory-limit", 1, 8192) << 20;
+    chosen.split =
+        choice_of<KdSplit>(values, "split", {{"area", KdSplit::area}, {"median", KdSplit::median}});
+    chosen.traversal_cost = number_of<double>(values, "traversal-cost", 0.0, 1e6);
+    chosen.intersection_cost = number_of<double>(values, "intersection-cost", 1e-6, 1e6);
+    chosen.empty_bonus = number_of<double>(values, "empty-bonus", 0.0, 1.0);
+    chosen.leaf_triangles = number_of<int>(values, "leaf-triangles", 0, 1 << 20);
+    chosen.depth_limit = number_of<int>(values, "depth", -1, 64);
+    chosen.bad_splits = number_of<int>(values, "bad-splits", 0, 16);
+    chosen.most_bytes = number_of<std::size_t>(values, "memory-limit", 1, 8192) << 20;
     chosen.reach = request.reach;
     return chosen;
 }
