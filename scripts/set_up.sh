@@ -10,13 +10,13 @@ packages_to_run=(
   libglm-dev libosmesa6-dev libegl-dev libglfw3-dev python3-glad khronos-api
   libegl-mesa0 libgl1-mesa-dri
   libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libstb-dev
-  libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core
+  libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core
 )
 
 # What the tests need on top: their libraries, a display without a screen, a checker of shaders, and clang with
 # its runtime, which fuzzes the loader.
 packages_to_test=(
-  catch2 librapidcheck-dev libembree-dev
+  catch2 librapidcheck-dev
   xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools
   clang libclang-rt-dev clang-format
 )

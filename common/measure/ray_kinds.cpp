@@ -34,13 +34,15 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
     auto mirror = mirror::mirror_of<Mirror>(buffers);
     RandomNumbers numbers(seed);
     RayKind shadow{"shadow", Query::any, {}};
+    RayKind reflection{"reflection", Query::closest, {}};
     RayKind bounce{"bounce", Query::closest, {}};
     for (std::size_t i = 0; i < primary.size(); ++i) {
         if (hits[i].triangle < 0) {
             continue;
         }
         const Mirror::Hit hit{hits[i].t, hits[i].u, hits[i].v, hits[i].triangle};
-        const auto surface = mirror.surface_at(mirror::to_mirror<Mirror>(primary[i]), hit);
+        const Mirror::Ray incoming = mirror::to_mirror<Mirror>(primary[i]);
+        const auto surface = mirror.surface_at(incoming, hit);
         if (!scene.lights.empty()) {
             const Ray ray =
                 from_mirror_ray(mirror.shadow_ray(surface, scene.lights.front().position));
@@ -48,11 +50,12 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
                 shadow.rays.push_back(ray);
             }
         }
+        reflection.rays.push_back(from_mirror_ray(mirror.mirror_ray(surface, incoming)));
         bounce.rays.push_back({surface.origin, cosine_direction(numbers, surface.geometric_normal),
                                0.0f, mirror.farthest});
     }
     std::vector<RayKind> kinds{{"primary", Query::closest, {primary.begin(), primary.end()}}};
-    for (RayKind& kind : {std::ref(shadow), std::ref(bounce)}) {
+    for (RayKind& kind : {std::ref(shadow), std::ref(reflection), std::ref(bounce)}) {
         if (!kind.rays.empty()) {
             kinds.push_back(std::move(kind));
         }

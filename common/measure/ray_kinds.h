@@ -19,9 +19,10 @@ struct RayKind {
 };
 
 // The rays that a renderer asks a structure for, as far as their coherence differs:
-// primary, as given; shadow, from each hit to the scene's first light; bounce, from each hit in a
-// random direction over the surface, the more likely the steeper (so neighbours go apart). The hits
-// are those of the primary rays. Kinds without a ray are left out.
+// primary, as given; shadow, from each hit to the scene's first light; reflection, from each hit as
+// a mirror sends it on, as if all were mirrors; bounce, from each hit in a random direction over
+// the surface, the more likely the steeper (so neighbours go apart). The hits are those of the
+// primary rays. Kinds without a ray are left out.
 std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
                                std::span<const Hit> hits, int seed);
 

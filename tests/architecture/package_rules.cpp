@@ -25,7 +25,8 @@ const std::vector<PackageRule> package_rules{
     {"CLI/", {"common/command/"}},
     {"nlohmann/", {"common/command/", "tests/"}},
     {"boost/", {"common/reference/", "tests/"}},
-    {"embree", {"tests/"}},
+    {"embree3/", {"common/embree/there/"}},
+    {"embree4/", {"common/embree/there/"}},
     {"rapidcheck", {"tests/"}},
     {"catch2/", {"tests/catch.h"}},
 };

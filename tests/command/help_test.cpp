@@ -37,6 +37,9 @@ TEST_CASE("help names every option of every program", "[command]") {
     check_help("03_shading", with(tracing, {"--max-bounces"}));
     check_help("04_grid", with(tracing, {"--view", "--measure", "--plot"}));
     check_help("05_kd_tree", with(tracing, {"--view", "--measure"}));
+    check_help("06_bvh", with(tracing, {"--view", "--measure"}));
+    check_help("07_compare",
+               with(tracing, {"--scenes", "--growth", "--rounds", "--most-seconds", "--embree"}));
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {

@@ -1,4 +1,4 @@
-#include "embree_scene.h"
+#include "embree/embree_scene.h"
 
 #include "catch.h"
 #include "ray_families.h"
@@ -28,7 +28,7 @@ TEST_CASE("Embree agrees with exact arithmetic wherever its rounding does not re
     CAPTURE(name, seed);
     Random random(seed);
     const std::vector<glm::vec3> corners = sphere_mesh(2.0f, 20, 40);
-    const EmbreeScene embree(corners);
+    const EmbreeScene embree(corners, EmbreeMode::robust);
     const std::vector<Ray> rays = random_rays(aim, 20000, half_side, corners, random);
     const std::vector<ReferenceHit> exacts = exact_nearest_hits(rays, corners);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "command/deliver.h"
+#include "compare/claims.h"
+#include "compare/growth_lines.h"
+
+namespace raysteps {
+
+// All that a run found out.
+struct Report {
+    std::vector<SceneResult> results;
+    std::vector<ClaimResult> claims;
+    std::vector<GrowthLine> growth{};
+    std::string renderer{};
+    std::string embree{}; // its name; empty where it took no part
+};
+
+// For programs: per scene and kind of rays the rates of all contenders, the best walk of ours, and
+// its ratio to Embree by single rays where that took part; then claims and growth.
+nlohmann::ordered_json to_json(const Report& report);
+
+} // namespace raysteps

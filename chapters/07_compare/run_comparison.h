@@ -1,0 +1,27 @@
+#pragma once
+
+#include "command/command.h"
+#include "embree/embree_part.h"
+
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+struct Comparison {
+    std::vector<std::string> scenes{"compact", "knot", "stadium", "cornell_box", "bunny"};
+    std::vector<std::string> structures{
+        "grid",     "grid_mailbox", "kd_restart",  "kd_backtrack", "kd_short_stack",
+        "kd_ropes", "bvh_skip",     "bvh_ordered", "bvh_parent",   "bvh_stack"};
+    int growth = 3; // the depth of the largest sphereflake; -1: none
+    int rounds = 5;
+    double most_seconds = 0.2;
+    std::string embree = "auto";
+    EmbreePart embree_part = EmbreePart::none;
+};
+
+// Measures all structures in all scenes, prints tables and verdicts, and writes compare.csv,
+// compare.json and the plots to the folder of --out, and the JSON to the file of --json as well.
+void run_comparison(const Command& command, const Comparison& comparison);
+
+} // namespace raysteps

@@ -1,0 +1,160 @@
+#include "compare/contest.h"
+
+#include "compare/contender.h"
+#include "compare/stopwatch.h"
+#include "error/error.h"
+#include "gpu/shader_catalog.h"
+#include "render/generate_rays.h"
+#include "structure/families.h"
+
+#include <algorithm>
+
+namespace raysteps {
+
+namespace {
+
+const std::string judge = "bvh_ordered";
+constexpr std::size_t probe_step = 16; // of the rays that tell how fast a contender is
+
+Parts parts_of(const std::string& triangle, const std::string& structure,
+               const std::string& observer) {
+    return {{"triangle", find_part("triangle", triangle)},
+            {"structure", find_part("structure", structure)},
+            {"observer", "observer/" + observer + ".glsl"}};
+}
+
+std::size_t run_count(const RayKind& kind) {
+    return (kind.rays.size() + rays_a_run - 1) / rays_a_run;
+}
+
+// How many runs of rays make one that can be traced in most_seconds: a power of 2, so that
+// contenders share their samples.
+std::size_t affordable_step(const Contender& contender, RaySets& sets, double most_seconds) {
+    const std::size_t runs = run_count(sets.whole());
+    const RaySet& probe = sets.sample(std::min(probe_step, runs));
+    contender.run(probe); // some drivers compile at the first call
+    const double seconds = seconds_of([&] { contender.run(probe); }).clock;
+    const double of_all = seconds * static_cast<double>(sets.whole().rays.size()) /
+                          static_cast<double>(probe.kind.rays.size());
+    std::size_t step = 1;
+    while (of_all > most_seconds * static_cast<double>(step) && step * 2 <= runs) {
+        step *= 2;
+    }
+    return step;
+}
+
+// One contender with the rays that it can afford.
+struct Entry {
+    const Contender& contender;
+    const RaySet& rays;
+    ContestRow row;
+    std::vector<Seconds> rounds;
+};
+
+Entry enter(const Contender& contender, RaySets& sets, const ContestRequest& request) {
+    const RaySet& rays = sets.sample(affordable_step(contender, sets, request.most_seconds));
+    const StepCounts counts = contender.count(rays);
+    ContestRow row{.contender = contender.name,
+                   .kind = rays.kind.name,
+                   .rays = rays.kind.rays.size(),
+                   .all_rays = sets.whole().rays.size(),
+                   .visits_a_ray = counts.visits_a_ray,
+                   .tests_a_ray = counts.tests_a_ray};
+    row.different = contender.count_different(rays);
+    return {contender, rays, row, {}};
+}
+
+void check(const Entry& entry, const Scene& scene) {
+    if (entry.row.different > 0 && !is_embree(entry.contender.name)) {
+        throw Error(ExitCode::check_failed,
+                    entry.contender.name + " and " + judge + " differ in " +
+                        std::to_string(entry.row.different) + " of " +
+                        std::to_string(entry.row.rays) + " " + entry.row.kind + " rays of " +
+                        scene.name + ". With --triangle watertight, that is a fault of Raysteps.");
+    }
+}
+
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+ContestRow finish(Entry entry) {
+    std::vector<double> rates;
+    std::vector<double> cores;
+    for (const Seconds& seconds : entry.rounds) {
+        rates.push_back(static_cast<double>(entry.row.rays) / seconds.clock / 1e6);
+        cores.push_back(seconds.cpu / seconds.clock);
+    }
+    const auto [lowest, highest] = std::minmax_element(rates.begin(), rates.end());
+    entry.row.rate = {median_of(rates), *lowest, *highest};
+    entry.row.cores = median_of(cores);
+    return entry.row;
+}
+
+} // namespace
+
+Contest::Contest(ContestRequest request, const Limits& limits)
+    : request_(std::move(request)), judge_(parts_of(request_.triangle, judge, "none"), limits) {
+    if (request_.rounds < 1) {
+        throw InputError("--rounds " + std::to_string(request_.rounds) +
+                         ": there is nothing to measure. Take 1 or more.");
+    }
+    for (const std::string& structure : request_.structures) {
+        walks_.emplace(structure,
+                       Walk{TraceRays(parts_of(request_.triangle, structure, "none"), limits),
+                            TraceRays(parts_of(request_.triangle, structure, "count"), limits)});
+    }
+}
+
+SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
+    std::vector<std::string> structures = request_.structures;
+    structures.push_back(judge);
+    const BuiltFamilies built = build_families(scene, structures, request_.build_values);
+    const auto textures_of = [&](const std::string& structure) -> const SceneTextures& {
+        return built.at(family_of(structure).name);
+    };
+    std::vector<Contender> contenders;
+    for (const std::string& structure : request_.structures) {
+        contenders.push_back(
+            make_contender(structure, walks_.at(structure), textures_of(structure)));
+    }
+    for (Contender& contender : make_embree(scene, request_.embree)) {
+        contenders.push_back(std::move(contender));
+    }
+
+    SceneResult result{.scene = scene.name, .triangles = triangle_count(scene)};
+    for (const Contender& contender : contenders) {
+        result.builds.push_back({contender.name, contender.facts});
+    }
+    const RayTextures camera =
+        generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
+    const std::vector<Hit> hits = read_hits(judge_.closest_hits(camera, textures_of(judge)));
+    const std::vector<RayKind> kinds = ray_kinds(scene, read_rays(camera), hits, 1);
+    const double steps = static_cast<double>(kinds.size()) * (request_.rounds + 2);
+    double done = 0.0;
+    for (const RayKind& kind : kinds) {
+        RaySets sets(kind, judge_, textures_of(judge));
+        std::vector<Entry> entries;
+        for (const Contender& contender : contenders) {
+            entries.push_back(enter(contender, sets, request_));
+            check(entries.back(), scene);
+        }
+        progress(++done / steps);
+        for (int round = 0; round <= request_.rounds; ++round) {
+            for (Entry& entry : entries) {
+                const Seconds seconds = seconds_of([&] { entry.contender.run(entry.rays); });
+                if (round > 0) { // the first warms the caches
+                    entry.rounds.push_back(seconds);
+                }
+            }
+            progress(++done / steps);
+        }
+        for (Entry& entry : entries) {
+            result.rows.push_back(finish(std::move(entry)));
+        }
+    }
+    return result;
+}
+
+} // namespace raysteps
