@@ -73,28 +73,17 @@ BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>&
     return built;
 }
 
-Contender make_contender(const std::string& structure, Walk& walk, const SceneTextures& scene) {
+Contender make_contender(const std::string& structure, TraceRays& walk,
+                         const SceneTextures& scene) {
     return {.name = structure,
             .facts = scene.structure.facts,
             .run =
                 [&](const RaySet& rays) {
-                    trace(walk.trace, scene, rays.textures, rays.kind.query); // ends with a query
-                },
-            .count =
-                [&](const RaySet& rays) {
-                    trace(walk.count, scene, rays.textures, rays.kind.query);
-                    StepCounts counts;
-                    for (const glm::uvec4& texel : read_integers(*walk.count.observations())) {
-                        counts.visits_a_ray += texel.x;
-                        counts.tests_a_ray += texel.y;
-                    }
-                    counts.visits_a_ray /= static_cast<double>(rays.kind.rays.size());
-                    counts.tests_a_ray /= static_cast<double>(rays.kind.rays.size());
-                    return counts;
+                    trace(walk, scene, rays.textures, rays.kind.query); // ends with a query
                 },
             .count_different =
                 [&](const RaySet& rays) {
-                    const Texture hits = trace(walk.trace, scene, rays.textures, rays.kind.query);
+                    const Texture hits = trace(walk, scene, rays.textures, rays.kind.query);
                     return count_differences(read_hits(hits, rays.kind.rays.size()), rays);
                 }};
 }
@@ -112,7 +101,6 @@ std::vector<Contender> make_embree(const Scene& scene, EmbreePart part) {
             {.name = name,
              .facts = {{"build_seconds", embree->build_seconds()}},
              .run = [embree, how = call](const RaySet& rays) { run_embree(*embree, rays, how); },
-             .count = [](const RaySet&) { return StepCounts{}; }, // Embree does not tell
              .count_different =
                  [embree, how = call](const RaySet& rays) {
                      return count_other_triangles(*embree, rays, how);

@@ -8,17 +8,11 @@
 
 namespace raysteps {
 
-struct StepCounts {
-    double visits_a_ray = 0.0;
-    double tests_a_ray = 0.0;
-};
-
 // Who takes part in one scene, whatever it is made of.
 struct Contender {
     std::string name;
     std::vector<Fact> facts;
-    std::function<void(const RaySet&)> run; // to its end
-    std::function<StepCounts(const RaySet&)> count;
+    std::function<void(const RaySet&)> run;                    // to its end
     std::function<std::size_t(const RaySet&)> count_different; // answers
 };
 
@@ -31,7 +25,7 @@ BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>&
                              const std::map<std::string, std::string>& values);
 
 // A walk through its structure. All that is given must outlive it.
-Contender make_contender(const std::string& structure, Walk& walk, const SceneTextures& scene);
+Contender make_contender(const std::string& structure, TraceRays& walk, const SceneTextures& scene);
 
 // Embree by single rays and by packets; nobody where the part is none.
 std::vector<Contender> make_embree(const Scene& scene, EmbreePart part);

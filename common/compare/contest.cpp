@@ -53,13 +53,10 @@ struct Entry {
 
 Entry enter(const Contender& contender, RaySets& sets, const ContestRequest& request) {
     const RaySet& rays = sets.sample(affordable_step(contender, sets, request.most_seconds));
-    const StepCounts counts = contender.count(rays);
     ContestRow row{.contender = contender.name,
                    .kind = rays.kind.name,
                    .rays = rays.kind.rays.size(),
-                   .all_rays = sets.whole().rays.size(),
-                   .visits_a_ray = counts.visits_a_ray,
-                   .tests_a_ray = counts.tests_a_ray};
+                   .all_rays = sets.whole().rays.size()};
     row.different = contender.count_different(rays);
     return {contender, rays, row, {}};
 }
@@ -71,6 +68,15 @@ void check(const Entry& entry, const Scene& scene) {
                         std::to_string(entry.row.different) + " of " +
                         std::to_string(entry.row.rays) + " " + entry.row.kind + " rays of " +
                         scene.name + ". With --triangle watertight, that is a fault of Raysteps.");
+    }
+}
+
+void add_counts(Entry& entry, TraceRays& count, const SceneTextures& scene) {
+    trace(count, scene, entry.rays.textures, entry.rays.kind.query);
+    const double rays = static_cast<double>(entry.row.rays);
+    for (const glm::uvec4& texel : read_integers(*count.observations())) {
+        entry.row.visits_a_ray += texel.x / rays;
+        entry.row.tests_a_ray += texel.y / rays;
     }
 }
 
@@ -95,15 +101,15 @@ ContestRow finish(Entry entry) {
 } // namespace
 
 Contest::Contest(ContestRequest request, const Limits& limits)
-    : request_(std::move(request)), judge_(parts_of(request_.triangle, judge, "none"), limits) {
+    : request_(std::move(request)), limits_(limits),
+      judge_(parts_of(request_.triangle, judge, "none"), limits) {
     if (request_.rounds < 1) {
         throw InputError("--rounds " + std::to_string(request_.rounds) +
                          ": there is nothing to measure. Take 1 or more.");
     }
     for (const std::string& structure : request_.structures) {
         walks_.emplace(structure,
-                       Walk{TraceRays(parts_of(request_.triangle, structure, "none"), limits),
-                            TraceRays(parts_of(request_.triangle, structure, "count"), limits)});
+                       TraceRays(parts_of(request_.triangle, structure, "none"), limits));
     }
 }
 
@@ -130,19 +136,34 @@ SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
     const std::vector<Hit> hits = read_hits(judge_.closest_hits(camera, textures_of(judge)));
-    const std::vector<RayKind> kinds = ray_kinds(scene, read_rays(camera), hits, 1);
-    const double steps = static_cast<double>(kinds.size()) * (request_.rounds + 2);
+    std::vector<RaySets> kinds;
+    for (RayKind& kind : ray_kinds(scene, read_rays(camera), hits, 1)) {
+        kinds.emplace_back(std::move(kind), judge_, textures_of(judge));
+    }
+    const double steps = static_cast<double>(kinds.size()) * (request_.rounds + 2) + 1.0;
     double done = 0.0;
-    for (const RayKind& kind : kinds) {
-        RaySets sets(kind, judge_, textures_of(judge));
-        std::vector<Entry> entries;
+    std::vector<std::vector<Entry>> entries;
+    for (RaySets& sets : kinds) {
+        std::vector<Entry>& own = entries.emplace_back();
         for (const Contender& contender : contenders) {
-            entries.push_back(enter(contender, sets, request_));
-            check(entries.back(), scene);
+            own.push_back(enter(contender, sets, request_));
+            check(own.back(), scene);
         }
         progress(++done / steps);
+    }
+    // One program that counts at a time, and none while anything is measured: a driver keeps only
+    // so many programs compiled.
+    for (std::size_t i = 0; i < request_.structures.size(); ++i) {
+        const std::string& structure = request_.structures[i];
+        TraceRays count(parts_of(request_.triangle, structure, "count"), limits_);
+        for (std::vector<Entry>& own : entries) {
+            add_counts(own[i], count, textures_of(structure));
+        }
+    }
+    progress(++done / steps);
+    for (std::vector<Entry>& own : entries) {
         for (int round = 0; round <= request_.rounds; ++round) {
-            for (Entry& entry : entries) {
+            for (Entry& entry : own) {
                 const Seconds seconds = seconds_of([&] { entry.contender.run(entry.rays); });
                 if (round > 0) { // the first warms the caches
                     entry.rounds.push_back(seconds);
@@ -150,7 +171,7 @@ SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
             }
             progress(++done / steps);
         }
-        for (Entry& entry : entries) {
+        for (Entry& entry : own) {
             result.rows.push_back(finish(std::move(entry)));
         }
     }

@@ -23,12 +23,6 @@ struct ContestRequest {
     double most_seconds = 0.2; // of one trace; who takes longer is measured with fewer rays
 };
 
-// The programs of a walk: one to be measured, one that counts.
-struct Walk {
-    TraceRays trace;
-    TraceRays count;
-};
-
 // All structures, and Embree beside them, on the same rays (measure/ray_kinds.h) in the same
 // rounds: each round has every contender once, so that what slows the machine for a while slows
 // them all. A context must be current while it lives.
@@ -43,8 +37,9 @@ public:
 
 private:
     ContestRequest request_;
+    Limits limits_;
     TraceRays judge_;
-    std::map<std::string, Walk> walks_;
+    std::map<std::string, TraceRays> walks_;
 };
 
 } // namespace raysteps
