@@ -26,7 +26,7 @@ TEST_CASE("every structure gives the same file of hits in every program that tra
     REQUIRE(workplace.run("02_triangles", options).exit_code == 0);
     const std::string expected = workplace.read("hits.f32");
     REQUIRE(expected.size() == 4 * 16);
-    for (const std::string chapter : {"02_triangles", "03_shading", "04_grid", "05_kd_tree"}) {
+    for (const std::string chapter : {"02_triangles", "04_grid", "06_bvh", "07_compare"}) {
         for (const std::string& structure : structures) {
             std::vector<std::string> arguments = options;
             arguments.insert(arguments.end(), {"--structure", structure});
@@ -40,7 +40,8 @@ TEST_CASE("every structure gives the same file of hits in every program that tra
 
 TEST_CASE("an unknown structure is refused with the names of all", "[command][refusal]") {
     const Workplace workplace("structure_unknown");
-    for (const std::string chapter : {"02_triangles", "03_shading", "04_grid", "05_kd_tree"}) {
+    for (const std::string chapter :
+         {"02_triangles", "03_shading", "04_grid", "05_kd_tree", "06_bvh", "07_compare"}) {
         check_refusal(workplace, chapter, {"--structure", "octree"}, 2,
                       {"--structure octree", "every_triangle, grid, ", "kd_ropes, "});
     }
@@ -68,7 +69,7 @@ TEST_CASE("a structure that takes too much memory is refused before it is built"
           "[command][refusal]") {
     const Workplace workplace("structure_memory");
     check_refusal(workplace, "04_grid",
-                  {"--scene", "compact:4", "--resolution", "2000", "--memory-limit", "16"}, 2,
+                  {"--scene", "compact:4", "--resolution", "500", "--memory-limit", "16"}, 2,
                   {"--memory-limit", "16", "MiB"});
     check_refusal(workplace, "05_kd_tree", {"--scene", "soup:100000", "--memory-limit", "1"}, 2,
                   {"1 MiB", "--depth"});
