@@ -14,19 +14,6 @@ inline Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTex
     return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
 }
 
-// Texels that are a whole number of rows of 1,024, and of four of these.
-inline constexpr std::size_t texels_a_block = 4096;
-
-// The rays in textures without ragged blocks. llvmpipe runs a program for blocks of pixels; those
-// of a block that lie beyond the texture run as well, with a ray of zeros, which no box keeps out:
-// such a ray walks through a whole BVH, and all real ones wait for it. Empty rays end at once.
-inline RayTextures upload_in_blocks(std::vector<Ray> rays) {
-    const std::size_t blocks = (rays.size() + texels_a_block - 1) / texels_a_block;
-    rays.resize(std::max<std::size_t>(blocks, 1) * texels_a_block,
-                {glm::vec3(0.0f), glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, -1.0f});
-    return upload_rays(rays);
-}
-
 // Rays of one kind, or a part of them, with the answers that all have to give.
 struct RaySet {
     RayKind kind;
@@ -57,7 +44,7 @@ public:
             return known->second;
         }
         RayKind kind = every_nth_run(kind_, step);
-        RayTextures textures = upload_in_blocks(kind.rays);
+        RayTextures textures = upload_rays(kind.rays);
         std::vector<Hit> expected =
             read_hits(trace(judge_, scene_, textures, kind.query), kind.rays.size());
         return sets_
