@@ -4,6 +4,7 @@
 #include "gpu/framebuffer.h"
 
 #include <string>
+#include <utility>
 
 namespace raysteps {
 
@@ -48,7 +49,19 @@ LiveMask::LiveMask(int width, int height) : width_(width), height_(height) {
 }
 
 LiveMask::~LiveMask() {
-    glDeleteRenderbuffers(1, &id_);
+    if (id_ != 0) {
+        glDeleteRenderbuffers(1, &id_);
+    }
+}
+
+LiveMask::LiveMask(LiveMask&& other) noexcept
+    : id_(std::exchange(other.id_, 0)), width_(other.width_), height_(other.height_) {}
+
+LiveMask& LiveMask::operator=(LiveMask&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(width_, other.width_);
+    std::swap(height_, other.height_);
+    return *this;
 }
 
 void retire(LiveMask& mask, const Program& program) {

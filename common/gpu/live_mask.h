@@ -12,6 +12,8 @@ public:
     // All pixels live.
     LiveMask(int width, int height);
     ~LiveMask();
+    LiveMask(LiveMask&& other) noexcept;
+    LiveMask& operator=(LiveMask&& other) noexcept;
     LiveMask(const LiveMask&) = delete;
     LiveMask& operator=(const LiveMask&) = delete;
 

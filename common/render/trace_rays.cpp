@@ -34,12 +34,9 @@ Parts with_defaults(Parts parts) {
 
 // What a launch leaves of each walk.
 struct WalkTextures {
-    WalkTextures(int width, int height, bool observed)
-        : hits(TexelFormat::rgba32ui, width, height), places(TexelFormat::rgba32ui, width, height) {
-        if (observed) {
-            observations.emplace(TexelFormat::rgba32ui, width, height);
-        }
-    }
+    Texture hits;
+    Texture places;
+    std::optional<Texture> observations;
 
     std::vector<std::reference_wrapper<const Texture>> targets() const {
         std::vector<std::reference_wrapper<const Texture>> all{hits, places};
@@ -48,11 +45,17 @@ struct WalkTextures {
         }
         return all;
     }
-
-    Texture hits;
-    Texture places;
-    std::optional<Texture> observations;
 };
+
+WalkTextures make_walk_textures(Texture places, bool observed) {
+    const int width = places.width();
+    const int height = places.height();
+    WalkTextures textures{Texture(TexelFormat::rgba32ui, width, height), std::move(places), {}};
+    if (observed) {
+        textures.observations.emplace(TexelFormat::rgba32ui, width, height);
+    }
+    return textures;
+}
 
 } // namespace
 
@@ -75,38 +78,57 @@ Texture TraceRays::any_hits(const RayTextures& rays, const SceneTextures& scene,
     return trace(rays, scene, live, farthest);
 }
 
+Texture TraceRays::take_places(int width, int height) {
+    if (spare_places_ && spare_places_->width() == width && spare_places_->height() == height) {
+        Texture places = std::move(*spare_places_);
+        spare_places_.reset();
+        return places;
+    }
+    return {TexelFormat::rgba32ui, width, height};
+}
+
+const LiveMask& TraceRays::everywhere(int width, int height) {
+    if (!everywhere_ || everywhere_->width() != width || everywhere_->height() != height) {
+        everywhere_.emplace(width, height);
+    }
+    return *everywhere_;
+}
+
 Texture TraceRays::trace(const RayTextures& rays, const SceneTextures& scene, const LiveMask* live,
                          float near_enough) {
     const int width = rays.origins.width();
     const int height = rays.origins.height();
-    WalkTextures last(width, height, observed_);
-    WalkTextures next(width, height, observed_);
+    std::optional<WalkTextures> last;
+    WalkTextures next = make_walk_textures(take_places(width, height), observed_);
     trace_.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("triangle_corners", scene.corners)
         .set("near_enough", near_enough)
         .set("rounds", rounds_per_launch_);
     bind(trace_, scene.structure);
-    std::optional<LiveMask> everywhere;
-    const LiveMask& asked = live ? *live : everywhere.emplace(width, height);
+    const LiveMask& asked = live ? *live : everywhere(width, height);
     const double ray_count = static_cast<double>(width) * height;
     const int launches_of_longest = scene.structure.longest_walk / rounds_per_launch_;
     long last_unfinished = -1;
     int in_vain = 0;
     for (launches_ = 1; in_vain <= most_launches_in_vain + launches_of_longest; ++launches_) {
-        trace_.set("first_launch", launches_ == 1 ? 1 : 0)
-            .set("last_hits", last.hits)
-            .set("last_places", last.places)
-            .set("last_observations", observed_ ? *last.observations : last.places);
+        trace_.set("first_launch", last ? 0 : 1)
+            .set("last_hits", last ? last->hits : nothing_)
+            .set("last_places", last ? last->places : nothing_)
+            .set("last_observations", last && observed_ ? *last->observations : nothing_);
         draw(trace_, {.textures = next.targets(), .live = live});
-        std::swap(last, next);
-        select_unfinished_.set("places", last.places);
+        select_unfinished_.set("places", next.places);
         const long unfinished = count_live(asked, select_unfinished_);
         if (unfinished == 0) {
             progress_(1.0);
-            observations_ = std::move(last.observations);
-            return std::move(last.hits);
+            observations_ = std::move(next.observations);
+            spare_places_ = std::move(next.places);
+            return std::move(next.hits);
         }
+        if (!last) {
+            last = make_walk_textures(take_places(width, height), observed_);
+        }
+        std::swap(*last, next);
         in_vain = unfinished == last_unfinished ? in_vain + 1 : 0;
         last_unfinished = unfinished;
         const double rounds = static_cast<double>(launches_) * rounds_per_launch_;

@@ -46,12 +46,18 @@ public:
 private:
     Texture trace(const RayTextures& rays, const SceneTextures& scene, const LiveMask* live,
                   float near_enough);
+    Texture take_places(int width, int height);
+    const LiveMask& everywhere(int width, int height);
 
     Program trace_;
     Program select_unfinished_;
     int rounds_per_launch_;
     bool observed_;
     std::optional<Texture> observations_;
+    // Kept from trace to trace, since memory that is new costs more than a pass over it.
+    std::optional<Texture> spare_places_;
+    std::optional<LiveMask> everywhere_;
+    Texture nothing_{TexelFormat::rgba32ui, 1, 1}; // what the first launch is given as the last one
     int launches_ = 0;
     Progress progress_ = [](double) {};
 };
