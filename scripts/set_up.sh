@@ -13,11 +13,11 @@ packages_to_run=(
   libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core
 )
 
-# What the tests need on top: their libraries, a display without a screen, a checker of shaders, and clang with
+# What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
 # its runtime, which fuzzes the loader.
 packages_to_test=(
   catch2 librapidcheck-dev
-  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools
+  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema
   clang libclang-rt-dev clang-format
 )
 

@@ -39,7 +39,10 @@ Json kind_numbers(const std::vector<ContestRow>& rows) {
         numbers["best_walk"] = best->contender;
     }
     if (best != nullptr && embree != nullptr) {
-        numbers["ratio_to_embree"] = best->rate.median / embree->rate.median;
+        const double ratio = best->rate.median / embree->rate.median;
+        numbers["ratio_to_embree"] = ratio;
+        // Rays a second that a CPU worked on them, whoever else had the others.
+        numbers["ratio_by_cpu_time"] = ratio * embree->cores / best->cores;
     }
     return numbers;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <set>
 
 namespace {
@@ -57,6 +58,24 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
     for (const std::string& kind : kinds) {
         CHECK(std::filesystem::exists(folder / ("out/07_compare/growth_" + kind + ".png")));
     }
+}
+
+TEST_CASE("the JSON of a comparison is valid by its schema", "[07][program]") {
+    const ScratchFolder folder("07_schema");
+    REQUIRE(run_in(folder, "--scenes compact:4 --growth 1 --rounds 1 --size 16 --json own.json"));
+    const auto complaints = [&](const std::string& file) {
+        const std::string line = "python3 -m jsonschema -i '" + (folder / file).string() +
+                                 "' '" RAYSTEPS_SOURCE_DIR
+                                 "/chapters/07_compare/compare.schema.json' >'" +
+                                 (folder / "complaints").string() + "' 2>&1";
+        const bool valid = std::system(line.c_str()) == 0; // NOLINT(cert-env33-c): as above
+        return valid ? "" : bytes_of(folder / "complaints");
+    };
+    CHECK(complaints("own.json") == "");
+    auto numbers = nlohmann::json::parse(bytes_of(folder / "own.json"));
+    numbers["scenes"][0]["rays"][0]["walks"][0].erase("cores");
+    std::ofstream(folder / "less.json") << numbers;
+    CHECK_THAT(complaints("less.json"), contains_text("'cores' is a required property"));
 }
 
 TEST_CASE("a scene and a structure of the own are compared alone", "[07][program]") {
