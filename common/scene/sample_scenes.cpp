@@ -62,7 +62,7 @@ const std::vector<SampleScene>& sample_scenes() {
          [](const Values& values) { return sample_knot(values[0]); },
          "a dense torus knot"},
         {"soup",
-         {{"COUNT", 1, 4'000'000, 10'000}, {"SEED", 0, greatest_seed, 1}},
+         {{"COUNT", 1, 20'000'000, 10'000}, {"SEED", 0, greatest_seed, 1}},
          SampleView::framed,
          [](const Values& values) { return sample_soup(values[0], values[1]); },
          "random triangles"},
