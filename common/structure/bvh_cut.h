@@ -20,11 +20,14 @@ struct BvhRange {
 
 // Of the items in the order of their centres along the axis (of equal centres, the smaller triangle
 // first), the first lower_count go to the first child: one at least, and not all. The cost is that
-// of the split node for a ray that meets it; infinite where the rule knows no cost.
+// of the split node for a ray that meets it; infinite where the rule knows no cost. Where all
+// centres of the first child are less than those of the second, a rule may say what the latter
+// begin with: then parting them takes one look at each.
 struct BvhCut {
     int axis = 0;
     std::size_t lower_count = 0;
     double cost = std::numeric_limits<double>::infinity();
+    std::optional<float> first_upper_center{}; // doubled
 };
 
 // A rule answers where a range is best cut; nothing where equal centres tell it nothing.

@@ -1,6 +1,7 @@
 #include "structure/bvh_grow.h"
 
 #include "parallel/on_threads.h"
+#include "structure/wide_box.h"
 
 #include <algorithm>
 #include <bit>
@@ -27,12 +28,14 @@ std::size_t most_in_leaf(const BvhOptions& options) {
 }
 
 BvhRange range_of(std::span<const BvhItem> items) {
-    BvhRange range{items, {}, {}};
+    WideBox box = empty_wide_box();
+    WideBox centers = empty_wide_box();
     for (const BvhItem& item : items) {
-        range.box = merge(range.box, item.box);
-        range.centers = merge(range.centers, doubled_center(item));
+        const glm::vec3 center = doubled_center(item);
+        box = merge(box, widen(item.box));
+        centers = merge(centers, widen({center, center}));
     }
-    return range;
+    return {items, narrow(box), narrow(centers)};
 }
 
 // Where the range is cut; nowhere, where it becomes a leaf.
@@ -56,6 +59,12 @@ std::optional<BvhCut> cut_of(const BvhRange& range, int depth, BvhRule rule,
 }
 
 void part(std::span<BvhItem> items, const BvhCut& cut) {
+    if (cut.first_upper_center) {
+        std::partition(items.begin(), items.end(), [&cut](const BvhItem& item) {
+            return doubled_center(item, cut.axis) < *cut.first_upper_center;
+        });
+        return;
+    }
     const auto comes_first = [axis = cut.axis](const BvhItem& a, const BvhItem& b) {
         const float center_a = doubled_center(a, axis);
         const float center_b = doubled_center(b, axis);
