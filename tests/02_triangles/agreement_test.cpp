@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "reference/exact_intersection.h"
 #include "reference/exact_nearest.h"
+#include "support/compare_hits.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
-#include "support/same_bits.h"
 #include "support/soup.h"
 
 #include <algorithm>
@@ -12,19 +12,6 @@
 using namespace raysteps;
 
 namespace {
-
-std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b) {
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        different += same_bits(a[i], b[i]) ? 0 : 1;
-    }
-    return different;
-}
-
-std::size_t count_hits(std::span<const Hit> hits) {
-    return static_cast<std::size_t>(std::count_if(
-        hits.begin(), hits.end(), [](const Hit& hit) { return hit.triangle != no_triangle; }));
-}
 
 std::array<glm::vec3, 3> corners_of(const Scene& scene, int triangle) {
     const auto first = 3 * static_cast<std::size_t>(triangle);

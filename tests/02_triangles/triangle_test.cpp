@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
 #include "support/same_bits.h"
@@ -79,6 +80,31 @@ TEST_CASE("a hit lies between t_min and t_max and both belong to the ray", "[02]
     CHECK(with_range(2.0000002f, no_end) == no_triangle);
     CHECK(with_range(3.0f, 1.0f) == no_triangle);
     CHECK(with_range(0.0f, std::numeric_limits<float>::infinity()) == 0);
+}
+
+TEST_CASE("a ray without a direction is empty and hits nothing", "[02][triangle]") {
+    const Scene scene = scene_of(join(triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}),
+                                      triangle({0, 0, 0}, {0, 0, 1}, {1, 0, 1})));
+    const auto context = make_context(ContextKind::automatic);
+    TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"}}, 1);
+    const SceneTextures textures = upload(scene);
+    Watertight mirror{};
+    for (const glm::vec3& direction : {glm::vec3(0.0f), glm::vec3(-0.0f), {0.0f, -0.0f, 0.0f}}) {
+        for (const float t_min : {0.0f, -no_end}) {
+            // The origin lies in both triangles.
+            const std::vector<Ray> rays{{{0.0f, 0.0f, 0.0f}, direction, t_min, no_end}};
+            CHECK(mirror.is_empty(mirror::to_mirror<Watertight>(rays.front())));
+            CHECK(hit_of(scene, rays.front()).triangle == no_triangle);
+            const Texture hits = trace.closest_hits(upload_rays(rays), textures);
+            CHECK(read_hits(hits, 1).front().triangle == no_triangle);
+            // A launch is one triangle here: two would be for a walk that is begun at all.
+            CHECK(trace.launch_count() == 1);
+        }
+    }
+    const std::vector<Ray> ray{{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1e-30f}, -no_end, no_end}};
+    CHECK_FALSE(mirror.is_empty(mirror::to_mirror<Watertight>(ray.front())));
+    CHECK(read_hits(trace.closest_hits(upload_rays(ray), textures), 1).front().triangle == 0);
+    CHECK(trace.launch_count() == 2);
 }
 
 TEST_CASE("of equal distances the smallest triangle wins on the GPU and in the mirror",

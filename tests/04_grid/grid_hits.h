@@ -1,12 +1,12 @@
 #pragma once
 
-#include "mirror/every_triangle.h"
+#include "catch.h"
 #include "mirror/grid.h"
 #include "structure/build_grid.h"
 #include "structure/reach.h"
 #include "support/gpu_hits.h"
 #include "support/ray_families.h"
-#include "support/same_bits.h"
+#include "support/walk_hits.h"
 
 #include <cstddef>
 #include <span>
@@ -14,7 +14,6 @@
 
 namespace raysteps {
 
-using EveryTriangle = mirror::EveryTriangleWatertight<float>;
 using GridWalk = mirror::GridWatertight<float>;
 using MailboxWalk = mirror::GridMailboxWatertight<float>;
 
@@ -39,37 +38,6 @@ inline Lattice lattice_of(const GridShape& shape) {
     return {shape.lower, shape.cell_size, shape.cells};
 }
 
-// The hits of a mirror whose walks are cut into so many rounds.
-template <class Mirror>
-std::vector<Hit> hits_by(Mirror mirror, std::span<const Ray> rays, int rounds = 1 << 30) {
-    std::vector<Hit> hits;
-    for (const Ray& ray : rays) {
-        const auto own = mirror::to_mirror<Mirror>(ray);
-        auto walk = mirror.start_walk(own);
-        while (!walk.ended) {
-            walk = mirror.go_on(walk, own, -mirror.farthest, rounds);
-        }
-        hits.push_back(mirror::from_mirror(walk.nearest));
-    }
-    return hits;
-}
-
-inline std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b) {
-    std::size_t different = a.size() == b.size() ? 0 : a.size() + b.size();
-    for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
-        different += same_bits(a[i], b[i]) ? 0 : 1;
-    }
-    return different;
-}
-
-inline std::size_t count_hits(std::span<const Hit> hits) {
-    std::size_t count = 0;
-    for (const Hit& hit : hits) {
-        count += hit.triangle == no_triangle ? 0 : 1;
-    }
-    return count;
-}
-
 // How the walks through a grid compare with the loop over every triangle.
 struct Agreement {
     std::size_t hits = 0; // of the loop
@@ -85,6 +53,15 @@ inline Agreement agreement_of(const Scene& scene, const Grid& grid, std::span<co
         hits_by(mirror::mirror_of<MailboxWalk>(buffers, grid), rays);
     return {count_hits(expected), count_different(found, expected),
             count_different(by_mailbox, expected)};
+}
+
+// Bit-equal with the loop; returns how many hits there are.
+inline std::size_t check_agreement(const Scene& scene, const Grid& grid,
+                                   std::span<const Ray> rays) {
+    const Agreement agreement = agreement_of(scene, grid, rays);
+    CHECK(agreement.different == 0);
+    CHECK(agreement.different_by_mailbox == 0);
+    return agreement.hits;
 }
 
 // The families of rays that know of the grid's planes.

@@ -1,58 +1,16 @@
 #include "catch.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
-
-#include <algorithm>
-#include <numeric>
+#include "support/triangle_orders.h"
 
 using namespace raysteps;
-
-namespace {
-
-enum class Order { forward, backward, shuffled };
-
-// The triangles in another order.
-Mesh reordered(const Mesh& mesh, Order order) {
-    std::vector<int> places(mesh.corners.size() / 3);
-    std::iota(places.begin(), places.end(), 0);
-    if (order == Order::backward) {
-        std::reverse(places.begin(), places.end());
-    }
-    if (order == Order::shuffled) {
-        RandomNumbers numbers(99);
-        for (std::size_t i = places.size(); i > 1; --i) {
-            std::swap(places[i - 1],
-                      places[static_cast<std::size_t>(numbers.below(static_cast<int>(i)))]);
-        }
-    }
-    Mesh result;
-    for (const int place : places) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto i = static_cast<std::size_t>(3 * place + corner);
-            result.corners.push_back(mesh.corners[i]);
-            result.normals.push_back(mesh.normals[i]);
-        }
-    }
-    return result;
-}
-
-// Each triangle once more at the end, and once more with its corners the other way round.
-Mesh tripled(const Mesh& mesh) {
-    Mesh turned = mesh;
-    for (std::size_t i = 0; i < turned.corners.size(); i += 3) {
-        std::swap(turned.corners[i + 1], turned.corners[i + 2]);
-    }
-    return join(join(mesh, mesh), turned);
-}
-
-} // namespace
 
 TEST_CASE("of coincident triangles the smallest one is hit by every walk in any order",
           "[05][hard_case]") {
     const int seed = 21;
     CAPTURE(seed);
     const Mesh mesh = tripled(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3));
-    for (const Order order : {Order::forward, Order::backward, Order::shuffled}) {
+    for (const Order order : all_orders) {
         RandomNumbers numbers(seed);
         const Scene scene = scene_of(reordered(mesh, order));
         for (const RayFamily& family : ray_families(numbers, scene.corners, 500)) {

@@ -3,83 +3,22 @@
 #include "recorded_walks.h"
 #include "scene/shapes.h"
 #include "structure/check_kd_tree.h"
+#include "support/hard_scenes.h"
 #include "tree_rays.h"
 
-#include <cmath>
-
 using namespace raysteps;
-
-namespace {
-
-// How often a walk that is cut as short as can be does not come farther: t must grow, or the next
-// reference of the same leaf, or the node that is entered.
-template <class Mirror>
-std::size_t count_standstills(Mirror mirror, std::span<const Ray> rays) {
-    std::size_t standstills = 0;
-    for (const Ray& ray : rays) {
-        const auto own = mirror::to_mirror<Mirror>(ray);
-        auto walk = mirror.start_walk(own);
-        while (!walk.ended && standstills == 0) {
-            const auto before = walk;
-            walk = mirror.go_on(walk, own, -mirror.farthest, 1);
-            const float t_before = mirror.reached(before);
-            const float t = mirror.reached(walk);
-            const bool next_reference = t == t_before && walk.place.z > before.place.z;
-            const bool next_node = t == t_before && walk.place.y != before.place.y;
-            standstills += walk.ended || t > t_before || next_reference || next_node ? 0 : 1;
-        }
-    }
-    return standstills;
-}
-
-// The sphere, far from the origin of its rays: t lies above `distance` at every plane.
-std::vector<Ray> with_large_t(std::vector<Ray> rays, float distance) {
-    for (Ray& ray : rays) {
-        ray.direction /= distance;
-    }
-    return rays;
-}
-
-Agreement agreement_in(const Scene& scene, std::span<const Ray> rays) {
-    return agreement_of(scene, tree_for(scene, rays), rays);
-}
-
-} // namespace
-
-TEST_CASE("K1 every walk makes progress at every step", "[05][hard_case]") {
-    const int seed = 51;
-    CAPTURE(seed);
-    RandomNumbers numbers(seed);
-    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4));
-    const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
-    const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
-    for (const RayFamily& family : tree_families(numbers, tree, scene.corners, 300)) {
-        for (const float distance : {1.0f, 1e5f}) {
-            const std::vector<Ray> rays = with_large_t(family.rays, distance);
-            CAPTURE(family.name, distance);
-            CHECK(count_standstills(mirror::mirror_of<Restart>(buffers, packed), rays) == 0);
-            CHECK(count_standstills(mirror::mirror_of<Backtrack>(buffers, packed), rays) == 0);
-            CHECK(count_standstills(mirror::mirror_of<ShortStack>(buffers, packed), rays) == 0);
-            CHECK(count_standstills(mirror::mirror_of<RopesWalk>(buffers, packed), rays) == 0);
-        }
-    }
-}
 
 TEST_CASE("K2 no walk depends on the size of t", "[05][hard_case]") {
     const int seed = 52;
     CAPTURE(seed);
     for (const float scale : {1e-6f, 1.0f, 1e6f}) {
         RandomNumbers numbers(seed);
-        Mesh mesh = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4);
-        for (glm::vec3& corner : mesh.corners) {
-            corner *= scale;
-        }
-        const Scene scene = scene_of(mesh);
+        const Mesh ball = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4);
+        const Scene scene = moved(scene_of(ball), scale, glm::vec3(0.0f));
         for (const float distance : {1e-4f, 32.0f, 2048.0f, 1e7f}) {
             const std::vector<Ray> rays =
                 with_large_t(rays_at_edges(numbers, scene.corners, 500), distance);
-            const Agreement agreement = agreement_in(scene, rays);
+            const Agreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
             CAPTURE(scale, distance, to_text(agreement));
             CHECK(agrees(agreement));
             CHECK(agreement.hits > 400);
@@ -251,56 +190,4 @@ TEST_CASE("K8 a hit beyond the exit of its leaf does not end the walk", "[05][ha
     CAPTURE(to_text(agreement));
     CHECK(agreement.hits > 100);
     CHECK(agrees(agreement));
-}
-
-TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]") {
-    // Triangles at x = 1, 2, 4 ... 8192 and planes that halve the way to them: a ray from below
-    // x = 1 puts off thirteen nodes before its first leaf, and the stack has room for eight.
-    const int seed = 59;
-    CAPTURE(seed);
-    RandomNumbers numbers(seed);
-    Mesh mesh = triangle({0, 0, 0}, {0, 0.25f, 0}, {0, 0, 0.25f});
-    for (float x = 1.0f; x < 16384.0f; x *= 2.0f) {
-        mesh = join(mesh, triangle({x, 0, 0}, {x, 0.25f, 0}, {x, 0, 0.25f}));
-    }
-    const Scene scene = scene_of(mesh);
-    KdOptions options = with_median();
-    options.leaf_triangles = 0;
-    const KdTree tree = build_kd_tree(scene.corners, options);
-    const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
-    std::vector<Ray> rays;
-    for (int i = 0; i < 2000; ++i) {
-        // Past the first triangles, and through one of the last ones.
-        const glm::vec3 origin(0.5f, 0.3f + numbers.unit(), 0.0625f);
-        const float x = std::ldexp(1.0f, numbers.below(14));
-        const glm::vec3 target(x, 0.125f * numbers.unit(), 0.0625f);
-        rays.push_back({origin, target - origin, 0.0f, no_end});
-    }
-    const Agreement agreement = agreement_of(scene, tree, rays);
-    CAPTURE(to_text(agreement));
-    CHECK(agrees(agreement));
-    CHECK(agreement.hits > 1500);
-    // No leaf is entered twice or skipped on the way.
-    std::size_t different = 0;
-    for (const Ray& ray : rays) {
-        auto restart = mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed);
-        auto stack = mirror::mirror_of<mirror::RecordedShortStack<float>>(buffers, packed);
-        static_cast<void>(restart.closest_hit(mirror::to_mirror<decltype(restart)>(ray)));
-        static_cast<void>(stack.closest_hit(mirror::to_mirror<decltype(stack)>(ray)));
-        const auto no_leaf = [&](int place) {
-            return !is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
-        };
-        std::erase_if(restart.visited, no_leaf);
-        std::erase_if(stack.visited, no_leaf);
-        different += restart.visited == stack.visited ? 0 : 1;
-    }
-    CHECK(different == 0);
-    // Such rays fill the stack: count the nodes that one puts off on its first way down.
-    int put_off = 0;
-    for (int place = 0; !is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
-         place = tree.nodes[static_cast<std::size_t>(place)].first_child) {
-        put_off += tree.nodes[static_cast<std::size_t>(place)].axis == 0 ? 1 : 0;
-    }
-    CHECK(put_off > 8);
 }

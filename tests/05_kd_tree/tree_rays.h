@@ -71,6 +71,14 @@ inline std::vector<Ray> rays_along_box_edges(RandomNumbers& numbers, const KdTre
     return rays;
 }
 
+// The sphere, far from the origin of its rays: t lies above `distance` at every plane.
+inline std::vector<Ray> with_large_t(std::vector<Ray> rays, float distance) {
+    for (Ray& ray : rays) {
+        ray.direction /= distance;
+    }
+    return rays;
+}
+
 inline std::vector<RayFamily> tree_families(RandomNumbers& numbers, const KdTree& tree,
                                             std::span<const glm::vec3> corners, int count) {
     return {{"at box corners", rays_at_box_corners(numbers, tree, corners, count)},

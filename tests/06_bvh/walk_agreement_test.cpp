@@ -1,7 +1,8 @@
 #include "build_trees.h"
+#include "bvh_hits.h"
 #include "catch.h"
 #include "scene/shapes.h"
-#include "walk_hits.h"
+#include "support/hard_scenes.h"
 
 using namespace raysteps;
 
@@ -21,13 +22,6 @@ std::size_t check_families(int seed, const Scene& scene, const BvhOptions& optio
     return hits;
 }
 
-Scene moved(Scene scene, float scale, const glm::vec3& offset) {
-    for (glm::vec3& corner : scene.corners) {
-        corner = scale * corner + offset;
-    }
-    return scene;
-}
-
 BvhOptions with_large_leaves() {
     BvhOptions options;
     options.leaf_triangles = 16;
@@ -39,7 +33,7 @@ BvhOptions with_large_leaves() {
 
 TEST_CASE("all BVH walks find the hits of the loop on a closed mesh however it is split",
           "[06][agreement]") {
-    const Scene scene = grey_scene(sphere({0.0f, 0.0f, 0.0f}, 2.0f, 5));
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 2.0f, 5));
     for (const BvhSplit split : all_splits) {
         CHECK(check_families(1, scene, with_split(split), 400) > 2000); // of 3200
     }
@@ -48,7 +42,7 @@ TEST_CASE("all BVH walks find the hits of the loop on a closed mesh however it i
 TEST_CASE("all BVH walks find the hits of the loop among loose triangles however they are split",
           "[06][agreement]") {
     RandomNumbers numbers(2);
-    const Scene scene = grey_scene(random_triangles(numbers, 400));
+    const Scene scene = scene_of(random_triangles(numbers, 400));
     for (const BvhSplit split : all_splits) {
         CHECK(check_families(2, scene, with_split(split), 400) > 2000);
     }
@@ -59,16 +53,12 @@ TEST_CASE("all BVH walks find the hits of the loop on slivers", "[06][agreement]
     const int seed = 4;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    Mesh mesh = random_triangles(numbers, 300);
-    for (std::size_t i = 0; i < mesh.corners.size(); i += 3) { // a thousand times longer than wide
-        mesh.corners[i + 1] = mesh.corners[i] + 2.0f * numbers.in_cube();
-        mesh.corners[i + 2] = mesh.corners[i] + 0.001f * numbers.in_cube();
-    }
-    CHECK(check_families(seed, grey_scene(mesh), {}, 800) > 1500);
+    const Scene scene = scene_of(slivers(numbers, 300));
+    CHECK(check_families(seed, scene, {}, 800) > 1500);
 }
 
 TEST_CASE("all BVH walks find the hits of the loop at every size and place", "[06][agreement]") {
-    const Scene scene = grey_scene(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
     CHECK(check_families(5, moved(scene, 1e-6f, glm::vec3(0.0f)), {}, 400) > 2500);
     CHECK(check_families(6, moved(scene, 1e6f, glm::vec3(0.0f)), {}, 400) > 2500);
     CHECK(check_families(7, moved(scene, 1.0f, glm::vec3(1e4f, -1e4f, 1e4f)), {}, 400) > 2500);
@@ -80,11 +70,8 @@ TEST_CASE("all BVH walks find the hits of the loop in a flat scene", "[06][agree
     CAPTURE(seed);
     for (int axis = 0; axis < 3; ++axis) {
         RandomNumbers numbers(seed);
-        Mesh mesh = random_triangles(numbers, 300);
-        for (glm::vec3& corner : mesh.corners) {
-            corner[axis] = 0.25f;
-        }
-        CHECK(check_families(seed, grey_scene(mesh), {}, 400) > 500);
+        const Scene scene = scene_of(random_triangles(numbers, 300));
+        CHECK(check_families(seed, flattened(scene, axis, 0.25f), {}, 400) > 500);
     }
 }
 
@@ -92,14 +79,9 @@ TEST_CASE("all BVH walks find the hits of the loop on rays from far away", "[06]
     const int seed = 10;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = grey_scene(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
     for (const float distance : {1e2f, 1e4f, 1e6f}) {
-        std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 2000);
-        for (Ray& ray : rays) {
-            const glm::vec3 target = ray.origin + ray.direction;
-            ray.origin *= distance;
-            ray.direction = target - ray.origin;
-        }
+        const std::vector<Ray> rays = rays_from_far_away(numbers, scene.corners, distance, 2000);
         // The farther the origin, the more a triangle is padded for it.
         const Agreement agreement = agreement_of(scene, bvh_for(scene, rays), rays);
         CAPTURE(distance, agreement.exceptions);
@@ -112,7 +94,7 @@ TEST_CASE("BVH walks do not depend on the length of the direction", "[06][agreem
     const int seed = 11;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = grey_scene(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
+    const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 5));
     for (const float length : {1e-25f, 1e-10f, 1e10f, 1e25f}) {
         std::vector<Ray> rays = axis_parallel_rays(numbers, scene.corners, 1000);
         for (const Ray& ray : rays_with_a_zero(numbers, scene.corners, 1000)) {
@@ -131,7 +113,7 @@ TEST_CASE("BVH walks do not depend on the length of the direction", "[06][agreem
 TEST_CASE("a BVH of no triangle and of one answers every ray", "[06][hard_case]") {
     const int seed = 12;
     CAPTURE(seed);
-    const Scene one = grey_scene(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    const Scene one = scene_of(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
     CHECK(check_families(seed, one, {}, 400) > 1000);
     RandomNumbers numbers(seed);
     const std::vector<Ray> rays = random_rays(numbers, 100);

@@ -1,7 +1,7 @@
 #include "build_trees.h"
+#include "bvh_hits.h"
 #include "catch.h"
 #include "support/error_of.h"
-#include "walk_hits.h"
 
 #include <array>
 

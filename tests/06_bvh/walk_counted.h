@@ -1,6 +1,6 @@
 #pragma once
 
-#include "walk_hits.h"
+#include "bvh_hits.h"
 
 // The walks with somebody who counts.
 namespace raysteps::mirror {

@@ -121,7 +121,7 @@ TEST_CASE("near branches first spare a BVH walk most of its steps", "[06]") {
     const int seed = 52;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = grey_scene(random_triangles(numbers, 2000));
+    const Scene scene = scene_of(random_triangles(numbers, 2000));
     const mirror::SceneBuffers buffers(scene);
     const mirror::BvhBuffers packed(build_bvh(scene.corners, {}), scene.corners);
     std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 1000);

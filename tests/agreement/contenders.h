@@ -16,10 +16,13 @@ namespace raysteps {
 // All structures but the loop, each with its program, compiled once. A context must be current.
 class Contenders {
 public:
-    Contenders() : loop_(tracer("every_triangle")) {
+    // The rounds of a launch are given as TraceRays takes them: the limits of the platform, or
+    // their number. (The loop is always traced within the limits.)
+    template <class Rounds>
+    explicit Contenders(const Rounds& rounds) : loop_(tracer("every_triangle", measure_limits())) {
         for (const NamedPart& part : list_parts("structure")) {
             if (part.name != "every_triangle") {
-                tracers_.emplace(part.name, tracer(part.name));
+                tracers_.emplace(part.name, tracer(part.name, rounds));
             }
         }
     }
@@ -47,10 +50,11 @@ public:
     }
 
 private:
-    static TraceRays tracer(const std::string& structure) {
+    template <class Rounds>
+    static TraceRays tracer(const std::string& structure, const Rounds& rounds) {
         return {{{"triangle", "geometry/triangle_watertight.glsl"},
                  {"structure", find_part("structure", structure)}},
-                measure_limits()};
+                rounds};
     }
 
     TraceRays loop_;

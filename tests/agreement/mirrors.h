@@ -5,6 +5,7 @@
 #include "structure/build_grid.h"
 #include "structure/build_kd_tree.h"
 #include "structure/reach.h"
+#include "support/walk_hits.h"
 
 #include <map>
 #include <span>
@@ -12,16 +13,6 @@
 #include <vector>
 
 namespace raysteps {
-
-template <class Mirror>
-std::vector<Hit> hits_by(Mirror mirror, std::span<const Ray> rays) {
-    std::vector<Hit> hits;
-    hits.reserve(rays.size());
-    for (const Ray& ray : rays) {
-        hits.push_back(mirror::from_mirror(mirror.closest_hit(mirror::to_mirror<Mirror>(ray))));
-    }
-    return hits;
-}
 
 // The hits of the walks as C++, by the name of the structure.
 inline std::map<std::string, std::vector<Hit>> hits_of_mirrors(const Scene& scene,

@@ -54,7 +54,9 @@ inline std::vector<RayFamily> plane_families(RandomNumbers& numbers,
     const GridShape shape = build_grid(corners, {}).shape;
     const Lattice lattice{shape.lower, shape.cell_size, shape.cells};
     const KdTree tree = build_kd_tree(corners, {});
-    return {{"through points of the grid", rays_through_lattice_points(numbers, lattice, count)},
+    const std::vector<Ray> through = rays_through_lattice_points(numbers, lattice, count);
+    return {{"through points of the grid", through},
+            {"back through points of the grid", reversed(through)},
             {"in planes of the grid", rays_in_lattice_planes(numbers, lattice, count)},
             {"in split planes", rays_in_split_planes(numbers, tree, count)},
             {"at corners of nodes", rays_at_node_corners(numbers, tree, corners, count)}};

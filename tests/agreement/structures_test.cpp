@@ -10,54 +10,22 @@
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/ray_families.h"
-#include "support/same_bits.h"
+#include "support/triangle_orders.h"
+#include "support/walk_hits.h"
 
-#include <algorithm>
 #include <iostream>
-#include <numeric>
 
 using namespace raysteps;
 
 namespace {
 
-std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b) {
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        different += same_bits(a[i], b[i]) ? 0 : 1;
-    }
-    return different;
-}
-
-std::size_t count_hits(std::span<const Hit> hits) {
-    return static_cast<std::size_t>(std::count_if(
-        hits.begin(), hits.end(), [](const Hit& hit) { return hit.triangle != no_triangle; }));
-}
-
-// The same triangles in another order.
-Scene reordered(const Scene& scene, const std::vector<std::size_t>& order) {
-    Mesh mesh;
-    for (const std::size_t triangle : order) {
-        for (std::size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-            mesh.corners.push_back(scene.corners[corner]);
-            mesh.normals.push_back(scene.normals[corner]);
-        }
-    }
-    return scene_of(mesh);
-}
-
 // As they are, from the last to the first, and shuffled.
-std::vector<Scene> in_three_orders(const Scene& scene, RandomNumbers& numbers) {
-    std::vector<std::size_t> order(scene.corners.size() / 3);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::vector<Scene> scenes{scene};
-    std::reverse(order.begin(), order.end());
-    scenes.push_back(reordered(scene, order));
-    for (std::size_t i = order.size(); i > 1; --i) {
-        std::swap(order[i - 1],
-                  order[static_cast<std::size_t>(numbers.below(static_cast<int>(i)))]);
-    }
-    scenes.push_back(reordered(scene, order));
-    return scenes;
+std::vector<Scene> in_three_orders(const Scene& scene) {
+    Mesh mesh;
+    mesh.corners = scene.corners;
+    mesh.normals = scene.normals;
+    return {scene, scene_of(reordered(mesh, Order::backward)),
+            scene_of(reordered(mesh, Order::shuffled))};
 }
 
 std::vector<RayFamily> all_families(RandomNumbers& numbers, const Scene& scene, int rays) {
@@ -77,10 +45,10 @@ void check_families(const Scene& scene, int rays_a_family, By by) {
     CAPTURE(scene.name, seed);
     RandomNumbers numbers(seed);
     const auto context = make_context(ContextKind::automatic);
-    Contenders contenders;
+    Contenders contenders(measure_limits());
     std::size_t rays = 0;
     std::size_t exceptions = 0;
-    for (const Scene& ordered : in_three_orders(scene, numbers)) {
+    for (const Scene& ordered : in_three_orders(scene)) {
         for (const RayFamily& family : all_families(numbers, ordered, rays_a_family)) {
             CAPTURE(family.name);
             const std::vector<Hit> expected = contenders.hits_of_loop(ordered, family.rays);
@@ -125,7 +93,7 @@ TEST_CASE("on needles every structure finds the bits of the loop", "[agreement]"
 
 TEST_CASE("on every sample scene every structure finds the bits of the loop", "[agreement]") {
     const auto context = make_context(ContextKind::automatic);
-    Contenders contenders;
+    Contenders contenders(measure_limits());
     for (const SampleScene& sample : sample_scenes()) {
         const Scene scene = load_scene(std::string(sample.name), 1.0f);
         CAPTURE(scene.name);
@@ -139,6 +107,26 @@ TEST_CASE("on every sample scene every structure finds the bits of the loop", "[
                 CAPTURE(name);
                 CHECK(count_different(hits, expected) == 0);
             }
+        }
+    }
+}
+
+TEST_CASE("launches of few rounds give the bits of the loop in every structure",
+          "[agreement][launches]") {
+    const int seed = 42;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    const Scene scene =
+        scene_of(join(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4), random_triangles(numbers, 300)));
+    const auto context = make_context(ContextKind::automatic);
+    Contenders contenders(3);
+    for (const RayFamily& family : all_families(numbers, scene, 1000)) {
+        CAPTURE(family.name);
+        const std::vector<Hit> expected = contenders.hits_of_loop(scene, family.rays);
+        CHECK(count_hits(expected) > family.rays.size() / 100);
+        for (const auto& [name, hits] : contenders.hits_of_all(scene, family.rays)) {
+            CAPTURE(name);
+            CHECK(count_different(hits, expected) == 0);
         }
     }
 }

@@ -2,19 +2,14 @@
 
 #include "gpu/context.h"
 #include "render/trace_rays.h"
-#include "scene/mesh.h"
 #include "structure/families.h"
 #include "structure/reach.h"
+#include "support/scene_of.h"
 
 #include <string>
 #include <vector>
 
 namespace raysteps {
-
-// A scene of one mesh in grey.
-inline Scene scene_of(const Mesh& mesh) {
-    return add_mesh(Scene{}, mesh, Material{});
-}
 
 // The hits that the GPU finds with the triangle test of that name. A context must be current.
 inline std::vector<Hit> gpu_hits(const Scene& scene, std::span<const Ray> rays,

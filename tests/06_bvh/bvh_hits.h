@@ -1,13 +1,11 @@
 #pragma once
 
 #include "mirror/bvh.h"
-#include "mirror/every_triangle.h"
-#include "scene/mesh.h"
-#include "scene/scene.h"
 #include "structure/build_bvh.h"
 #include "structure/reach.h"
 #include "support/ray_families.h"
-#include "support/same_bits.h"
+#include "support/scene_of.h"
+#include "support/walk_hits.h"
 
 #include <algorithm>
 #include <string>
@@ -15,45 +13,9 @@
 
 namespace raysteps {
 
-using EveryTriangle = mirror::EveryTriangleWatertight<float>;
-
-inline constexpr int whole_walk = 1 << 30; // rounds that no walk here needs
-
-inline Scene grey_scene(const Mesh& mesh) {
-    return add_mesh(Scene{}, mesh, Material{});
-}
-
 inline Bvh bvh_for(const Scene& scene, std::span<const Ray> rays, BvhOptions options = {}) {
     options.reach = static_cast<double>(reach_of(rays, scene.corners));
     return build_bvh(scene.corners, options);
-}
-
-// The hits of a mirror whose walks are cut into so many rounds.
-template <class Mirror>
-std::vector<Hit> hits_by(Mirror mirror, std::span<const Ray> rays, int rounds = whole_walk) {
-    std::vector<Hit> hits;
-    for (const Ray& ray : rays) {
-        const auto own = mirror::to_mirror<Mirror>(ray);
-        auto walk = mirror.start_walk(own);
-        while (!walk.ended) {
-            walk = mirror.go_on(walk, own, -mirror.farthest, rounds);
-        }
-        hits.push_back(mirror::from_mirror(walk.nearest));
-    }
-    return hits;
-}
-
-inline std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b) {
-    std::size_t different = a.size() == b.size() ? 0 : a.size() + b.size();
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-        different += same_bits(a[i], b[i]) ? 0 : 1;
-    }
-    return different;
-}
-
-inline std::size_t count_hits(std::span<const Hit> hits) {
-    return static_cast<std::size_t>(std::count_if(
-        hits.begin(), hits.end(), [](const Hit& hit) { return hit.triangle != no_triangle; }));
 }
 
 // Calls with the name and the mirror of each walk.

@@ -1,0 +1,60 @@
+#include "catch.h"
+#include "kd_hits.h"
+#include "recorded_walks.h"
+#include "scene/shapes.h"
+
+#include <cmath>
+
+using namespace raysteps;
+
+TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]") {
+    // Triangles at x = 1, 2, 4 ... 8192 and planes that halve the way to them: a ray from below
+    // x = 1 puts off thirteen nodes before its first leaf, and the stack has room for eight.
+    const int seed = 59;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    Mesh mesh = triangle({0, 0, 0}, {0, 0.25f, 0}, {0, 0, 0.25f});
+    for (float x = 1.0f; x < 16384.0f; x *= 2.0f) {
+        mesh = join(mesh, triangle({x, 0, 0}, {x, 0.25f, 0}, {x, 0, 0.25f}));
+    }
+    const Scene scene = scene_of(mesh);
+    KdOptions options = with_median();
+    options.leaf_triangles = 0;
+    const KdTree tree = build_kd_tree(scene.corners, options);
+    const mirror::SceneBuffers buffers(scene);
+    const mirror::KdBuffers packed(tree);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) {
+        // Past the first triangles, and through one of the last ones.
+        const glm::vec3 origin(0.5f, 0.3f + numbers.unit(), 0.0625f);
+        const float x = std::ldexp(1.0f, numbers.below(14));
+        const glm::vec3 target(x, 0.125f * numbers.unit(), 0.0625f);
+        rays.push_back({origin, target - origin, 0.0f, no_end});
+    }
+    const Agreement agreement = agreement_of(scene, tree, rays);
+    CAPTURE(to_text(agreement));
+    CHECK(agrees(agreement));
+    CHECK(agreement.hits > 1500);
+    // No leaf is entered twice or skipped on the way.
+    std::size_t different = 0;
+    for (const Ray& ray : rays) {
+        auto restart = mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed);
+        auto stack = mirror::mirror_of<mirror::RecordedShortStack<float>>(buffers, packed);
+        static_cast<void>(restart.closest_hit(mirror::to_mirror<decltype(restart)>(ray)));
+        static_cast<void>(stack.closest_hit(mirror::to_mirror<decltype(stack)>(ray)));
+        const auto no_leaf = [&](int place) {
+            return !is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
+        };
+        std::erase_if(restart.visited, no_leaf);
+        std::erase_if(stack.visited, no_leaf);
+        different += restart.visited == stack.visited ? 0 : 1;
+    }
+    CHECK(different == 0);
+    // Such rays fill the stack: count the nodes that one puts off on its first way down.
+    int put_off = 0;
+    for (int place = 0; !is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
+         place = tree.nodes[static_cast<std::size_t>(place)].first_child) {
+        put_off += tree.nodes[static_cast<std::size_t>(place)].axis == 0 ? 1 : 0;
+    }
+    CHECK(put_off > 8);
+}
