@@ -24,9 +24,13 @@ void check_complete() {
 
 } // namespace
 
-void draw_triangle(int width, int height) {
+void cover(Shape shape, int width, int height) {
     glViewport(0, 0, width, height);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (shape == Shape::rectangle) {
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    } else {
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
 }
 
 void draw(const Program& program, const Targets& targets) {
@@ -54,12 +58,7 @@ void draw(const Program& program, const Targets& targets) {
     }
     program.use();
     const Texture& first = targets.textures.front();
-    glViewport(0, 0, first.width(), first.height());
-    if (targets.shape == Shape::rectangle) {
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    } else {
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-    }
+    cover(targets.shape, first.width(), first.height());
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
     check_gl("running a pass");

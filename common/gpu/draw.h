@@ -17,6 +17,10 @@ enum class Blend { replace, add };
 // interpolate.
 enum class Shape { triangle, rectangle };
 
+// Draws the shape over a picture of that size, with the program and into the framebuffer that are
+// current.
+void cover(Shape shape, int width, int height);
+
 // What a full-screen pass writes: textures of equal size, in the order of the pass's outputs.
 struct Targets {
     std::vector<std::reference_wrapper<const Texture>> textures;

@@ -27,7 +27,4 @@ private:
     GLuint vertices_ = 0; // core OpenGL draws nothing without one, even where no vertex has data
 };
 
-// Draws the one triangle that covers the whole picture.
-void draw_triangle(int width, int height);
-
 } // namespace raysteps

@@ -1,6 +1,7 @@
 #include "gpu/live_mask.h"
 
 #include "gpu/check_gl.h"
+#include "gpu/draw.h"
 #include "gpu/framebuffer.h"
 
 #include <string>
@@ -68,7 +69,7 @@ void retire(LiveMask& mask, const Program& program) {
     const MaskFramebuffer framebuffer(mask);
     glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     program.use();
-    draw_triangle(mask.width(), mask.height());
+    cover(Shape::triangle, mask.width(), mask.height());
     check_gl("retiring rays");
 }
 
@@ -78,7 +79,7 @@ long count_live(const LiveMask& mask, const Program& program) {
     glGenQueries(1, &query);
     program.use();
     glBeginQuery(GL_SAMPLES_PASSED, query);
-    draw_triangle(mask.width(), mask.height());
+    cover(Shape::triangle, mask.width(), mask.height());
     glEndQuery(GL_SAMPLES_PASSED);
     GLuint count = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
