@@ -75,6 +75,11 @@ void check_output() {
     }
 }
 
+// "1 light", "2 lights".
+std::string count_of(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 } // namespace
 
 void add_common_options(CLI::App& app, Command& command) {
@@ -143,10 +148,10 @@ Scene open_scene(const Command& command) {
     for (const std::string& message : scene.messages) {
         std::cerr << message << "\n";
     }
-    std::cout << "scene     " << scene.name << ", " << triangle_count(scene) << " triangles, "
-              << scene.materials.size()
-              << (scene.materials.size() == 1 ? " material, " : " materials, ")
-              << scene.lights.size() << (scene.lights.size() == 1 ? " light\n" : " lights\n");
+    std::cout << "scene     " << scene.name << ", "
+              << count_of(scene.corners.size() / 3, "triangle") << ", "
+              << count_of(scene.materials.size(), "material") << ", "
+              << count_of(scene.lights.size(), "light") << "\n";
     return scene;
 }
 

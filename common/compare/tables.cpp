@@ -38,7 +38,8 @@ const ContestBuild& build_of(const SceneResult& result, const std::string& conte
 } // namespace
 
 std::string to_table(const SceneResult& result) {
-    std::string table = format("\n%s, %d triangles\n", result.scene.c_str(), result.triangles);
+    std::string table = format("\n%s, %d triangle%s\n", result.scene.c_str(), result.triangles,
+                               result.triangles == 1 ? "" : "s");
     table += "contender             build s    MB\n";
     for (const ContestBuild& build : result.builds) {
         table += format("%-21s %7.3f %5.1f\n", build.contender.c_str(),

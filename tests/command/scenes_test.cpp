@@ -99,3 +99,14 @@ TEST_CASE("a scene without triangles shows the background", "[command]") {
     }
     picture_of(workplace, "01_rays", "empty.obj", "directions.pfm");
 }
+
+TEST_CASE("one triangle is counted in the singular", "[command]") {
+    const Workplace workplace("one_triangle");
+    workplace.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    workplace.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n");
+    const auto output_for = [&](const std::string& scene) {
+        return workplace.run("02_triangles", {"--scene", scene, "--size", "8"}).output;
+    };
+    CHECK_THAT(output_for("one.obj"), contains_text(", 1 triangle, "));
+    CHECK_THAT(output_for("two.obj"), contains_text(", 2 triangles, "));
+}
