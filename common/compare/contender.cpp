@@ -1,34 +1,12 @@
 #include "compare/contender.h"
 
 #include "embree/embree_scene.h"
-#include "structure/families.h"
-#include "structure/reach.h"
 
 #include <memory>
 
 namespace raysteps {
 
 namespace {
-
-std::map<std::string, std::string> own_values(const StructureFamily& family,
-                                              const std::map<std::string, std::string>& values) {
-    std::map<std::string, std::string> own;
-    for (const BuildOption& option : family.options) {
-        const auto value = values.find(option.name);
-        if (value != values.end()) {
-            own.insert(*value);
-        }
-    }
-    return own;
-}
-
-std::size_t count_differences(std::span<const Hit> hits, const RaySet& rays) {
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        different += is_same_answer(hits[i], rays.expected[i], rays.kind.query) ? 0 : 1;
-    }
-    return different;
-}
 
 // Embree rounds in its own way: what is compared is the triangle, or whether there is any hit.
 std::size_t count_other_triangles(const EmbreeScene& embree, const RaySet& rays, EmbreeCall call) {
@@ -57,22 +35,6 @@ void run_embree(const EmbreeScene& embree, const RaySet& rays, EmbreeCall call) 
 
 } // namespace
 
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures,
-                             const std::map<std::string, std::string>& values) {
-    BuiltFamilies built;
-    for (const std::string& structure : structures) {
-        const StructureFamily family = family_of(structure);
-        if (built.count(family.name) == 0) {
-            const float reach = reach_of(scene.camera.eye, scene.corners);
-            built.emplace(
-                family.name,
-                upload(scene, family.build(scene.corners, {.reach = reach,
-                                                           .values = own_values(family, values)})));
-        }
-    }
-    return built;
-}
-
 Contender make_contender(const std::string& structure, TraceRays& walk,
                          const SceneTextures& scene) {
     return {.name = structure,
@@ -84,7 +46,8 @@ Contender make_contender(const std::string& structure, TraceRays& walk,
             .count_different =
                 [&](const RaySet& rays) {
                     const Texture hits = trace(walk, scene, rays.textures, rays.kind.query);
-                    return count_differences(read_hits(hits, rays.kind.rays.size()), rays);
+                    return count_other_answers(read_hits(hits, rays.kind.rays.size()),
+                                               rays.expected, rays.kind.query);
                 }};
 }
 

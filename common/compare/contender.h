@@ -4,7 +4,8 @@
 #include "compare/ray_set.h"
 
 #include <functional>
-#include <map>
+#include <string>
+#include <vector>
 
 namespace raysteps {
 
@@ -15,14 +16,6 @@ struct Contender {
     std::function<void(const RaySet&)> run;                    // to its end
     std::function<std::size_t(const RaySet&)> count_different; // answers
 };
-
-// A built structure of each family, by its name.
-using BuiltFamilies = std::map<std::string, SceneTextures>;
-
-// Of the families of these structures, each built once. The values are those of --NAME; a builder
-// is given those that it knows.
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures,
-                             const std::map<std::string, std::string>& values);
 
 // A walk through its structure. All that is given must outlive it.
 Contender make_contender(const std::string& structure, TraceRays& walk, const SceneTextures& scene);

@@ -3,9 +3,9 @@
 #include "compare/contender.h"
 #include "compare/stopwatch.h"
 #include "error/error.h"
-#include "gpu/shader_catalog.h"
+#include "measure/built_families.h"
+#include "measure/walk_parts.h"
 #include "render/generate_rays.h"
-#include "structure/families.h"
 
 #include <algorithm>
 
@@ -15,13 +15,6 @@ namespace {
 
 const std::string judge = "bvh_ordered";
 constexpr std::size_t probe_step = 16; // of the rays that tell how fast a contender is
-
-Parts parts_of(const std::string& triangle, const std::string& structure,
-               const std::string& observer) {
-    return {{"triangle", find_part("triangle", triangle)},
-            {"structure", find_part("structure", structure)},
-            {"observer", "observer/" + observer + ".glsl"}};
-}
 
 std::size_t run_count(const RayKind& kind) {
     return (kind.rays.size() + rays_a_run - 1) / rays_a_run;
@@ -102,14 +95,14 @@ ContestRow finish(Entry entry) {
 
 Contest::Contest(ContestRequest request, const Limits& limits)
     : request_(std::move(request)), limits_(limits),
-      judge_(parts_of(request_.triangle, judge, "none"), limits) {
+      judge_(walk_parts(request_.triangle, judge, "none"), limits) {
     if (request_.rounds < 1) {
         throw InputError("--rounds " + std::to_string(request_.rounds) +
                          ": there is nothing to measure. Take 1 or more.");
     }
     for (const std::string& structure : request_.structures) {
         walks_.emplace(structure,
-                       TraceRays(parts_of(request_.triangle, structure, "none"), limits));
+                       TraceRays(walk_parts(request_.triangle, structure, "none"), limits));
     }
 }
 
@@ -117,13 +110,10 @@ SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
     std::vector<std::string> structures = request_.structures;
     structures.push_back(judge);
     const BuiltFamilies built = build_families(scene, structures, request_.build_values);
-    const auto textures_of = [&](const std::string& structure) -> const SceneTextures& {
-        return built.at(family_of(structure).name);
-    };
     std::vector<Contender> contenders;
     for (const std::string& structure : request_.structures) {
         contenders.push_back(
-            make_contender(structure, walks_.at(structure), textures_of(structure)));
+            make_contender(structure, walks_.at(structure), built_for(built, structure)));
     }
     for (Contender& contender : make_embree(scene, request_.embree)) {
         contenders.push_back(std::move(contender));
@@ -135,10 +125,10 @@ SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
     }
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
-    const std::vector<Hit> hits = read_hits(judge_.closest_hits(camera, textures_of(judge)));
+    const std::vector<Hit> hits = read_hits(judge_.closest_hits(camera, built_for(built, judge)));
     std::vector<RaySets> kinds;
     for (RayKind& kind : ray_kinds(scene, read_rays(camera), hits, 1)) {
-        kinds.emplace_back(std::move(kind), judge_, textures_of(judge));
+        kinds.emplace_back(std::move(kind), judge_, built_for(built, judge));
     }
     const double steps = static_cast<double>(kinds.size()) * (request_.rounds + 2) + 1.0;
     double done = 0.0;
@@ -155,9 +145,9 @@ SceneResult Contest::measure(const Scene& scene, const Progress& progress) {
     // so many programs compiled.
     for (std::size_t i = 0; i < request_.structures.size(); ++i) {
         const std::string& structure = request_.structures[i];
-        TraceRays count(parts_of(request_.triangle, structure, "count"), limits_);
+        TraceRays count(walk_parts(request_.triangle, structure, "count"), limits_);
         for (std::vector<Entry>& own : entries) {
-            add_counts(own[i], count, textures_of(structure));
+            add_counts(own[i], count, built_for(built, structure));
         }
     }
     progress(++done / steps);

@@ -1,18 +1,12 @@
 #pragma once
 
 #include "compare/sample_rays.h"
+#include "measure/answers.h"
 #include "render/ray_textures.h"
-#include "render/trace_rays.h"
 
-#include <cstring>
 #include <map>
 
 namespace raysteps {
-
-inline Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays,
-                     Query query) {
-    return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
-}
 
 // Rays of one kind, or a part of them, with the answers that all have to give.
 struct RaySet {
@@ -20,14 +14,6 @@ struct RaySet {
     RayTextures textures;
     std::vector<Hit> expected;
 };
-
-// Of any hit, only whether there is one is compared.
-inline bool is_same_answer(const Hit& a, const Hit& b, Query query) {
-    if (a.triangle < 0 || b.triangle < 0 || query == Query::any) {
-        return (a.triangle < 0) == (b.triangle < 0);
-    }
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
 
 // The rays of one kind, and their samples, each made when it is asked for first.
 class RaySets {

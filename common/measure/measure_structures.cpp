@@ -1,16 +1,13 @@
 #include "measure/measure_structures.h"
 
 #include "error/error.h"
-#include "gpu/shader_catalog.h"
-#include "measure/ray_kinds.h"
+#include "measure/answers.h"
+#include "measure/built_families.h"
+#include "measure/walk_parts.h"
 #include "render/generate_rays.h"
-#include "structure/families.h"
-#include "structure/reach.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
-#include <cstring>
 
 namespace raysteps {
 
@@ -19,42 +16,10 @@ namespace {
 // One structure, ready to trace.
 struct Contender {
     std::string structure;
-    std::vector<Fact> facts;
-    SceneTextures scene;
+    const SceneTextures& scene;
     TraceRays trace;
     TraceRays count;
 };
-
-Parts parts_of(const MeasureRequest& request, const std::string& structure,
-               const std::string& observer) {
-    return {{"triangle", find_part("triangle", request.triangle)},
-            {"structure", find_part("structure", structure)},
-            {"observer", "observer/" + observer + ".glsl"}};
-}
-
-Contender make_contender(const Scene& scene, const MeasureRequest& request,
-                         const std::string& structure, const Limits& limits) {
-    BuiltStructure built = family_of(structure).build(
-        scene.corners, {reach_of(scene.camera.eye, scene.corners), request.build_values});
-    std::vector<Fact> facts = built.facts;
-    return {structure, std::move(facts), upload(scene, built),
-            TraceRays(parts_of(request, structure, "none"), limits),
-            TraceRays(parts_of(request, structure, "count"), limits)};
-}
-
-Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays, Query query) {
-    return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
-}
-
-// Closest hits must agree in every bit; of any hit, only whether there is one.
-bool same_answers(std::span<const Hit> a, std::span<const Hit> b, Query query) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Hit& x, const Hit& y) {
-        if (x.triangle < 0 || y.triangle < 0 || query == Query::any) {
-            return (x.triangle < 0) == (y.triangle < 0);
-        }
-        return std::memcmp(&x, &y, sizeof x) == 0;
-    });
-}
 
 RayCosts count_steps(Contender& contender, const RayKind& kind, const RayTextures& rays) {
     trace(contender.count, contender.scene, rays, kind.query);
@@ -86,9 +51,12 @@ void summarize_rounds(RayCosts& costs, std::vector<double> seconds) {
 
 std::vector<StructureCosts> measure_structures(const Scene& scene, const MeasureRequest& request,
                                                const Limits& limits, const Progress& progress) {
+    const BuiltFamilies built = build_families(scene, request.structures, request.build_values);
     std::vector<Contender> contenders;
     for (const std::string& structure : request.structures) {
-        contenders.push_back(make_contender(scene, request, structure, limits));
+        contenders.push_back({structure, built_for(built, structure),
+                              TraceRays(walk_parts(request.triangle, structure, "none"), limits),
+                              TraceRays(walk_parts(request.triangle, structure, "count"), limits)});
     }
     const RayTextures camera =
         generate_rays(scene.camera, request.width, request.height, RayGeneration::direct);
@@ -112,7 +80,7 @@ std::vector<StructureCosts> measure_structures(const Scene& scene, const Measure
                 trace(contender.trace, contender.scene, rays, kind.query), kind.rays.size());
             if (i == 0) {
                 expected = hits;
-            } else if (!same_answers(hits, expected, kind.query)) {
+            } else if (count_other_answers(hits, expected, kind.query) > 0) {
                 throw Error(ExitCode::check_failed,
                             contender.structure + " and " + first.structure + " differ in " +
                                 kind.name + " rays of " + scene.name +
@@ -137,7 +105,7 @@ std::vector<StructureCosts> measure_structures(const Scene& scene, const Measure
     }
     for (std::size_t i = 0; i < contenders.size(); ++i) {
         costs[i].structure = contenders[i].structure;
-        costs[i].facts = contenders[i].facts;
+        costs[i].facts = contenders[i].scene.structure.facts;
     }
     return costs;
 }
