@@ -31,22 +31,35 @@ public:
         return read_hits(loop_.closest_hits(upload_rays(rays), upload(scene)), rays.size());
     }
 
-    // By the name of the structure.
-    std::map<std::string, std::vector<Hit>> hits_of_all(const Scene& scene,
-                                                        std::span<const Ray> rays) {
-        const RayTextures textures = upload_rays(rays);
-        const float reach = reach_of(rays, scene.corners);
-        std::map<std::string, SceneTextures> built; // by family: several walks share a structure
-        std::map<std::string, std::vector<Hit>> hits;
-        for (auto& [name, tracer] : tracers_) {
+    // What all walks need of one scene, by the family: several walks share a structure.
+    using Built = std::map<std::string, SceneTextures>;
+
+    Built build(const Scene& scene, float reach) const {
+        Built built;
+        for (const auto& [name, tracer] : tracers_) {
             const StructureFamily family = family_of(name);
             if (!built.contains(family.name)) {
                 built.emplace(family.name, upload(scene, family.build(scene.corners, {reach, {}})));
             }
-            hits[name] =
-                read_hits(tracer.closest_hits(textures, built.at(family.name)), rays.size());
+        }
+        return built;
+    }
+
+    // By the name of the structure.
+    std::map<std::string, std::vector<Hit>> hits_of_all(const Built& built,
+                                                        std::span<const Ray> rays) {
+        const RayTextures textures = upload_rays(rays);
+        std::map<std::string, std::vector<Hit>> hits;
+        for (auto& [name, tracer] : tracers_) {
+            const SceneTextures& scene = built.at(family_of(name).name);
+            hits[name] = read_hits(tracer.closest_hits(textures, scene), rays.size());
         }
         return hits;
+    }
+
+    std::map<std::string, std::vector<Hit>> hits_of_all(const Scene& scene,
+                                                        std::span<const Ray> rays) {
+        return hits_of_all(build(scene, reach_of(rays, scene.corners)), rays);
     }
 
 private:

@@ -13,6 +13,7 @@
 #include "support/triangle_orders.h"
 #include "support/walk_hits.h"
 
+#include <algorithm>
 #include <iostream>
 
 using namespace raysteps;
@@ -71,6 +72,22 @@ void check_families(const Scene& scene, int rays_a_family, By by) {
               << " walks differ from the loop\n";
 }
 
+// The rays that a renderer traces in the scene, and some at edges and corners: only there do
+// triangles share a distance, and the number of a triangle decides.
+std::vector<RayFamily> renderer_families(Contenders& contenders, const Scene& scene) {
+    const std::vector<Ray> primary =
+        read_rays(generate_rays(scene.camera, 32, 32, RayGeneration::direct));
+    const std::vector<Hit> primary_hits = contenders.hits_of_loop(scene, primary);
+    std::vector<RayFamily> families;
+    for (RayKind& kind : ray_kinds(scene, primary, primary_hits, 1)) {
+        families.push_back({kind.name, std::move(kind.rays)});
+    }
+    RandomNumbers numbers(43);
+    families.push_back({"at edges", rays_at_edges(numbers, scene.corners, 256)});
+    families.push_back({"at corners", rays_at_corners(numbers, scene.corners, 256)});
+    return families;
+}
+
 Scene ball() {
     Scene scene = scene_of(sphere({0.3f, -0.2f, 0.1f}, 1.0f, 3));
     scene.name = "ball";
@@ -97,13 +114,16 @@ TEST_CASE("on every sample scene every structure finds the bits of the loop", "[
     for (const SampleScene& sample : sample_scenes()) {
         const Scene scene = load_scene(std::string(sample.name), 1.0f);
         CAPTURE(scene.name);
-        const std::vector<Ray> primary =
-            read_rays(generate_rays(scene.camera, 32, 32, RayGeneration::direct));
-        const std::vector<Hit> primary_hits = contenders.hits_of_loop(scene, primary);
-        for (const RayKind& kind : ray_kinds(scene, primary, primary_hits, 1)) {
-            CAPTURE(kind.name);
-            const std::vector<Hit> expected = contenders.hits_of_loop(scene, kind.rays);
-            for (const auto& [name, hits] : contenders.hits_of_all(scene, kind.rays)) {
+        const std::vector<RayFamily> families = renderer_families(contenders, scene);
+        float reach = 0.0f;
+        for (const RayFamily& family : families) {
+            reach = std::max(reach, reach_of(family.rays, scene.corners));
+        }
+        const Contenders::Built built = contenders.build(scene, reach);
+        for (const RayFamily& family : families) {
+            CAPTURE(family.name);
+            const std::vector<Hit> expected = contenders.hits_of_loop(scene, family.rays);
+            for (const auto& [name, hits] : contenders.hits_of_all(built, family.rays)) {
                 CAPTURE(name);
                 CHECK(count_different(hits, expected) == 0);
             }
