@@ -2,6 +2,7 @@
 
 #include "report/plot.h"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -16,10 +17,24 @@ std::string label_of(const std::string& cost) {
     return cost == "memory_bytes" ? "bytes" : "nanoseconds a " + cost + " ray";
 }
 
-PlotLine plot_line(const GrowthLine& line) {
+bool same_points(const GrowthLine& a, const GrowthLine& b) {
+    return a.cost == b.cost &&
+           std::ranges::equal(a.points, b.points, [](const auto& p, const auto& q) {
+               return p.triangles == q.triangles && p.cost == q.cost;
+           });
+}
+
+// Walks of one family share what they walk through, and what it cost: one line for all of them.
+std::string name_of(const GrowthLine& line, std::span<const GrowthLine> lines) {
+    const auto same = [&](const GrowthLine& other) { return same_points(line, other); };
+    const bool shared = std::ranges::count_if(lines, same) > 1;
+    return shared ? line.contender.substr(0, line.contender.find_first_of("_ ")) : line.contender;
+}
+
+PlotLine plot_line(const GrowthLine& line, const std::string& name) {
     char exponent[32];
     std::snprintf(exponent, sizeof exponent, ", k = %.2f", line.exponent);
-    PlotLine drawn{line.contender + exponent, {}};
+    PlotLine drawn{name + exponent, {}};
     for (const GrowthPoint& point : line.points) {
         drawn.points.push_back({point.triangles, point.cost});
     }
@@ -30,8 +45,11 @@ PlotLine plot_line(const GrowthLine& line) {
 
 void plot_growth(const Command& command, std::span<const GrowthLine> lines) {
     std::map<std::string, std::vector<PlotLine>> by_cost;
-    for (const GrowthLine& line : lines) {
-        by_cost[line.cost].push_back(plot_line(line));
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+        const auto is_same = [&](const GrowthLine& other) { return same_points(*line, other); };
+        if (std::none_of(lines.begin(), line, is_same)) {
+            by_cost[line->cost].push_back(plot_line(*line, name_of(*line, lines)));
+        }
     }
     for (const auto& [cost, drawn] : by_cost) {
         const std::filesystem::path path = command.out / ("growth_" + cost + ".png");

@@ -37,7 +37,7 @@ std::string script_of(const Plot& plot, const std::filesystem::path& png) {
            << "set title " << quoted(plot.title) << "\n"
            << "set xlabel " << quoted(plot.x_label) << "\n"
            << "set ylabel " << quoted(plot.y_label) << "\n"
-           << "set grid\nset key tmargin center horizontal\n"
+           << "set grid\nset rmargin 6\nset key tmargin center horizontal\n"
            << (plot.x_scale == PlotScale::logarithmic ? "set logscale x\n" : "")
            << (plot.y_scale == PlotScale::logarithmic ? "set logscale y\n" : "") << "plot ";
     for (std::size_t i = 0; i < plot.lines.size(); ++i) {
