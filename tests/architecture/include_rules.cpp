@@ -19,8 +19,9 @@ std::string first_folder(const std::string& path) {
 // that the compiler is told. Empty where the file is none of ours.
 std::string find_included(const fs::path& root, const std::string& from, const std::string& name) {
     const std::string beside = fs::path(from).parent_path().generic_string();
-    for (const std::string& folder : {beside, std::string("common"), std::string("shaders"),
-                                      std::string("tests"), std::string("chapters"), std::string()}) {
+    for (const std::string& folder :
+         {beside, std::string("common"), std::string("shaders"), std::string("tests"),
+          std::string("chapters"), std::string()}) {
         const fs::path path = (fs::path(folder) / name).lexically_normal();
         if (fs::is_regular_file(root / path)) {
             return path.generic_string();
@@ -117,7 +118,8 @@ std::vector<std::string> find_dead_uses(const fs::path& root) {
 
 std::vector<std::string> find_includes_against_the_arrow(const fs::path& root) {
     std::vector<std::string> faults;
-    for (const std::string& file : list_files(root, {"common", "chapters", "tests", "visualizer"}, cpp_endings)) {
+    for (const std::string& file :
+         list_files(root, {"common", "chapters", "tests", "visualizer"}, cpp_endings)) {
         for (const Include& include : includes_of(root / file)) {
             if (!include.quoted) {
                 continue;

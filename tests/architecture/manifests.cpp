@@ -92,8 +92,8 @@ std::vector<std::string> find_faults_of_manifests(const fs::path& root) {
     std::vector<std::string> faults;
     for (const Birth& birth : births) {
         if (!fs::exists(root / birth.entry)) {
-            faults.push_back(manifest_of(birth.chapter) + ": BORN names " +
-                             birth.entry + ", which does not exist.");
+            faults.push_back(manifest_of(birth.chapter) + ": BORN names " + birth.entry +
+                             ", which does not exist.");
         }
     }
     for (const std::string& file : list_files(root, {"common", "shaders"})) {

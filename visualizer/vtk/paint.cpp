@@ -183,7 +183,7 @@ void put_in_front(vtkRenderer& renderer, vtkProp& flat) {
 
 int size_to_fit(const std::string& text, int width, int most) {
     const double letters = std::max(static_cast<double>(text.size()), 1.0);
-    return std::clamp(static_cast<int>(width / (0.56 * letters)), 11, most);
+    return std::clamp(static_cast<int>(width / (0.6 * letters)), 11, most);
 }
 
 void place_renderer(vtkRenderer& renderer, const Area& area, const glm::ivec2& window) {

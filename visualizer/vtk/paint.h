@@ -64,7 +64,7 @@ void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color);
 // each pixel what came first: so the one in front has to be the first.
 void put_in_front(vtkRenderer& renderer, vtkProp& flat);
 
-// As large as the line fits the width in pixels, from 11 to the most; a letter is about 0.56 of its
+// As large as the line fits the width in pixels, from 11 to the most; a letter is about 0.6 of its
 // size wide.
 int size_to_fit(const std::string& text, int width, int most);
 
