@@ -2,6 +2,8 @@
 
 #include "command/parse_options.h"
 #include "error/error.h"
+#include "parse/parse_camera.h"
+#include "parse/parse_size.h"
 #include "scene/load_scene.h"
 
 #include <cstdio>

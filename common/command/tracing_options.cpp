@@ -3,11 +3,11 @@
 #include "command/progress.h"
 #include "error/error.h"
 #include "gpu/shader_catalog.h"
+#include "structure/build_choices.h"
 #include "structure/families.h"
 #include "structure/reach.h"
 
 #include <cstdio>
-#include <set>
 
 namespace raysteps {
 
@@ -22,21 +22,6 @@ std::string join_names(const std::vector<NamedPart>& parts) {
         names += (names.empty() ? "" : ", ") + part.name;
     }
     return names;
-}
-
-// Several builders may ask for an option of the same name; each explains its own values.
-std::map<std::string, BuildOption> merged_options() {
-    std::map<std::string, BuildOption> merged;
-    for (const StructureFamily& family : list_families()) {
-        for (const BuildOption& option : family.options) {
-            auto [place, is_new] = merged.try_emplace(option.name, option);
-            std::string& meaning = place->second.meaning;
-            const std::string own =
-                family.name + ": " + option.meaning + " (" + option.initial + ")";
-            meaning = is_new ? own : meaning + "; " + own;
-        }
-    }
-    return merged;
 }
 
 BuiltStructure build(const Command& command, const Scene& scene, float reach) {
@@ -76,7 +61,7 @@ void add_tracing_options(CLI::App& app, Command& command) {
     app.add_option("--rays", command.rays,
                    "trace the rays of this file (.f32 or .csv) instead of a picture's");
     app.add_option("--hits", command.hits, "the file for the hits of --rays (.f32 or .csv)");
-    for (const auto& [name, option] : merged_options()) {
+    for (const auto& [name, option] : all_build_options()) {
         app.add_option_function<std::string>(
             "--" + name,
             [&command, key = name](const std::string& value) { command.build_values[key] = value; },
@@ -85,25 +70,7 @@ void add_tracing_options(CLI::App& app, Command& command) {
 }
 
 void check_build_values(const Command& command, std::span<const std::string> structures) {
-    std::string names;
-    std::string options;
-    std::set<std::string> known;
-    for (const std::string& structure : structures) {
-        names += (names.empty() ? "" : ", ") + structure;
-        for (const BuildOption& option : family_of(structure).options) {
-            if (known.insert(option.name).second) {
-                options += (options.empty() ? "--" : ", --") + option.name;
-            }
-        }
-    }
-    for (const auto& [name, value] : command.build_values) {
-        if (!known.contains(name)) {
-            throw InputError("--" + name + " " + value + ": not an option of " + names +
-                             (options.empty() ? ", which has none. Leave it out, or choose another "
-                                                "--structure."
-                                              : ". Take one of " + options + "."));
-        }
-    }
+    check_build_values(command.build_values, structures);
 }
 
 Parts trace_parts(const Command& command) {

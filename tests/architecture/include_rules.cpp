@@ -19,8 +19,9 @@ std::string first_folder(const std::string& path) {
 // that the compiler is told. Empty where the file is none of ours.
 std::string find_included(const fs::path& root, const std::string& from, const std::string& name) {
     const std::string beside = fs::path(from).parent_path().generic_string();
-    for (const std::string& folder : {beside, std::string("common"), std::string("shaders"),
-                                      std::string("tests"), std::string("chapters")}) {
+    for (const std::string& folder :
+         {beside, std::string("common"), std::string("shaders"), std::string("tests"),
+          std::string("chapters"), std::string()}) {
         const fs::path path = (fs::path(folder) / name).lexically_normal();
         if (fs::is_regular_file(root / path)) {
             return path.generic_string();
@@ -52,6 +53,12 @@ std::string objection(const std::string& from, const std::string& to) {
         const bool other_chapter =
             origin == "chapters" && fs::path(from).parent_path() != fs::path(to).parent_path();
         return other_chapter ? fact + "a chapter includes nothing of another." : "";
+    }
+    if (target == "visualizer") {
+        return fact + "nothing includes the visualizer but its tests.";
+    }
+    if (origin == "visualizer" && (module_of(to) == "gpu" || module_of(to) == "render")) {
+        return fact + "VTK and the renderer's OpenGL must not meet in one process.";
     }
     if (target == "tests" || target == "chapters") {
         return fact + "nothing includes " + target + "/ but " + target + "/ itself.";
@@ -111,7 +118,8 @@ std::vector<std::string> find_dead_uses(const fs::path& root) {
 
 std::vector<std::string> find_includes_against_the_arrow(const fs::path& root) {
     std::vector<std::string> faults;
-    for (const std::string& file : list_files(root, {"common", "chapters", "tests"}, cpp_endings)) {
+    for (const std::string& file :
+         list_files(root, {"common", "chapters", "tests", "visualizer"}, cpp_endings)) {
         for (const Include& include : includes_of(root / file)) {
             if (!include.quoted) {
                 continue;

@@ -24,7 +24,16 @@ std::vector<Birth> read_manifests(const fs::path& root) {
         }
         births.push_back({"chapters/" + chapter, chapter});
     }
+    // The visualizer looks at all chapters, and comes after them.
+    for (const std::string& entry :
+         words_of_call(root / "visualizer" / "CMakeLists.txt", "add_visualizer", "BORN")) {
+        births.push_back({entry, "visualizer"});
+    }
     return births;
+}
+
+std::string manifest_of(const std::string& chapter) {
+    return (chapter == "visualizer" ? "" : "chapters/") + chapter + "/CMakeLists.txt";
 }
 
 bool covers(const std::string& entry, const std::string& file) {
@@ -83,8 +92,8 @@ std::vector<std::string> find_faults_of_manifests(const fs::path& root) {
     std::vector<std::string> faults;
     for (const Birth& birth : births) {
         if (!fs::exists(root / birth.entry)) {
-            faults.push_back("chapters/" + birth.chapter + "/CMakeLists.txt: BORN names " +
-                             birth.entry + ", which does not exist.");
+            faults.push_back(manifest_of(birth.chapter) + ": BORN names " + birth.entry +
+                             ", which does not exist.");
         }
     }
     for (const std::string& file : list_files(root, {"common", "shaders"})) {

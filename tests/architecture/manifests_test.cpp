@@ -32,6 +32,19 @@ TEST_CASE("a file that names one of a later chapter is found", "[architecture]")
           "02_b.\n");
 }
 
+TEST_CASE("what the visualizer brings is born there and unknown to chapters", "[architecture]") {
+    const SmallTree tree("visualizer_manifest");
+    tree.write("chapters/01_a/CMakeLists.txt", "add_chapter(01_a BORN common)\n");
+    tree.write("visualizer/CMakeLists.txt", "add_visualizer(USES scene BORN common/replay lost)\n");
+    tree.write("common/replay/step.h", "");
+    tree.write("common/a.cpp", "#include \"replay/step.h\"\n");
+    CHECK(join_lines(find_faults_of_manifests(tree.root())) ==
+          "visualizer/CMakeLists.txt: BORN names lost, which does not exist.\n");
+    CHECK(join_lines(find_names_of_the_unborn(tree.root())) ==
+          "common/a.cpp:1: is born in 01_a and names common/replay/step.h, which is born in "
+          "visualizer.\n");
+}
+
 TEST_CASE("every file is born in one chapter", "[architecture]") {
     REQUIRE(list_files(RAYSTEPS_SOURCE_DIR, {"common", "shaders"}).size() >= 200);
     CHECK(find_faults_of_manifests(RAYSTEPS_SOURCE_DIR) == no_faults);

@@ -17,13 +17,15 @@ struct PackageRule {
 const std::vector<PackageRule> package_rules{
     {"glad/", {"common/gpu/gl.h"}},
     {"GL/", {"common/gpu/context/osmesa.cpp"}},
-    {"EGL/", {"common/gpu/context/egl.cpp"}},
+    {"EGL/", {"common/gpu/context/egl.cpp", "visualizer/vtk/"}},
     {"GLFW/", {"common/gpu/context/window.cpp", "common/window/glfw/"}},
     {"tiny_obj_loader.h", {"common/scene/load_obj.cpp"}},
     {"toml++/", {"common/scene/toml_"}},
     {"stb_", {"common/image/"}},
-    {"CLI/", {"common/command/"}},
-    {"nlohmann/", {"common/command/", "tests/"}},
+    {"CLI/", {"common/command/", "visualizer/request.cpp"}},
+    {"nlohmann/", {"common/command/", "tests/", "visualizer/state_file.cpp"}},
+    {"vtk", {"visualizer/vtk/", "tests/visualizer/"}},
+    {"X11/", {"visualizer/vtk/"}},
     {"boost/", {"common/reference/", "tests/"}},
     {"embree3/", {"common/embree/there/"}},
     {"embree4/", {"common/embree/there/"}},
@@ -45,7 +47,7 @@ std::string scattered_package(const std::string& header, const PackageRule& rule
 std::vector<std::string> find_scattered_packages(const fs::path& root) {
     std::vector<std::string> faults;
     for (const std::string& file :
-         list_files(root, {"common", "chapters", "tests"}, {".h", ".cpp", ".inc"})) {
+         list_files(root, {"common", "chapters", "tests", "visualizer"}, {".h", ".cpp", ".inc"})) {
         for (const Include& include : includes_of(root / file)) {
             for (const PackageRule& rule : package_rules) {
                 if (include.name.starts_with(rule.header) && !begins_with_any(file, rule.places)) {

@@ -1,4 +1,6 @@
 #include "command/parse_options.h"
+#include "parse/parse_camera.h"
+#include "parse/parse_size.h"
 
 #include "catch.h"
 #include "support/error_of.h"

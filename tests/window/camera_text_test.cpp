@@ -2,7 +2,7 @@
 
 #include "cameras.h"
 #include "catch.h"
-#include "command/parse_options.h"
+#include "parse/parse_camera.h"
 #include "window/trackball.h"
 
 #include <algorithm>

@@ -1,0 +1,83 @@
+#include "replay/record_with.h"
+#include "replay/recorders.h"
+
+namespace raysteps {
+
+namespace mirror {
+
+template <class Real>
+struct GridRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/grid.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+template <class Real>
+struct GridMailboxRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/grid_mailbox.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+} // namespace mirror
+
+namespace {
+
+// A cell is left by the plane that the ray crosses first, and the next one begins there.
+template <class Mirror>
+struct ExplainCell {
+    static constexpr bool each_test_is_a_step = false;
+
+    ExplainCell(Mirror& mirror, const typename Mirror::Ray& mirror_ray, const RecorderInput&)
+        : ray(mirror_ray), t(mirror.part_in_grid(mirror_ray).start) {}
+
+    Step visit(Mirror& mirror, int number, const typename Mirror::Hit&) const {
+        const glm::ivec3 cell = mirror.grid_cell_of(number);
+        const typename Mirror::real3 leaves(mirror.leaving(ray, 0, cell.x),
+                                            mirror.leaving(ray, 1, cell.y),
+                                            mirror.leaving(ray, 2, cell.z));
+        Step step;
+        step.cell = number;
+        step.axis = mirror.first_axis(leaves);
+        step.face = 2 * step.axis + (mirror.goes_up(ray, step.axis) ? 1 : 0);
+        step.entry = t;
+        step.exit = leaves[step.axis];
+        step.listed = mirror.grid_start(number + 1) - mirror.grid_start(number);
+        return step;
+    }
+
+    void leave(const Step& step) { t = step.exit; }
+
+    Ending ending(const RecordedWalk& walk) const {
+        if (walk.steps.empty()) {
+            return Ending::no_way_in;
+        }
+        if (ended_at_any_hit(walk)) {
+            return Ending::found;
+        }
+        const Step& last = walk.steps.back();
+        if (!(last.nearest.t < last.exit)) {
+            return Ending::outside;
+        }
+        return walk.hit.triangle == no_triangle ? Ending::ray_is_over : Ending::hit;
+    }
+
+    typename Mirror::Ray ray;
+    float t; // where the walk is
+};
+
+} // namespace
+
+WalkRecorder record_grid(const RecorderInput& input) {
+    using Mirror = mirror::GridRecorded<float>;
+    return recorder_of<Mirror, ExplainCell<Mirror>>(input);
+}
+
+WalkRecorder record_grid_mailbox(const RecorderInput& input) {
+    using Mirror = mirror::GridMailboxRecorded<float>;
+    return recorder_of<Mirror, ExplainCell<Mirror>>(input);
+}
+
+} // namespace raysteps

@@ -1,0 +1,160 @@
+#include "mirror/kd_tree.h"
+#include "replay/record_with.h"
+#include "replay/recorders.h"
+
+#include <algorithm>
+
+namespace raysteps {
+
+namespace mirror {
+
+template <class Real>
+struct KdRestartRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/kd_restart.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+template <class Real>
+struct KdBacktrackRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/kd_backtrack.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+template <class Real>
+struct KdShortStackRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/kd_short_stack.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+template <class Real>
+struct KdRopesRecorded {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/kd_ropes.glsl"
+#define OBSERVER_PART "replay/recorder.inc"
+#include "mirror/parts.inc"
+};
+
+} // namespace mirror
+
+namespace {
+
+// Where the ray leaves a node's box. Not every walk reads the boxes; but the planes are those of
+// the splits, so the numbers are those of every walk.
+class BoxExits {
+public:
+    BoxExits(const RecorderInput& input, const Ray& ray)
+        : mirror_(mirror::packed_mirror<Mirror>(input.scene, input.packed)),
+          ray_(mirror::to_mirror<Mirror>(ray)), end_(mirror_.part_in_tree(ray_).exit) {}
+
+    struct Exit {
+        float t;
+        int face; // -1 where the ray never leaves
+    };
+
+    Exit of(int place) const {
+        Mirror mirror = mirror_;
+        const auto exit = mirror.box_exit(place, ray_);
+        return {std::min(exit.t, end_), exit.face};
+    }
+
+    // Where the ray leaves the tree, or ends.
+    float end() const { return end_; }
+
+private:
+    using Mirror = mirror::KdBacktrack<float>;
+    mutable Mirror mirror_;
+    Mirror::Ray ray_;
+    float end_;
+};
+
+// A walk goes on at t, which is where the ray left the last leaf. An inner node sends it to the
+// child that holds t.
+template <class Mirror>
+struct ExplainNode {
+    static constexpr bool each_test_is_a_step = false;
+
+    ExplainNode(Mirror& mirror, const typename Mirror::Ray& mirror_ray, const RecorderInput& input)
+        : ray(mirror_ray), exits(input, {mirror_ray.origin, mirror_ray.direction, mirror_ray.t_min,
+                                         mirror_ray.t_max}),
+          t(mirror.part_in_tree(mirror_ray).entry) {}
+
+    Step visit(Mirror& mirror, int place, const typename Mirror::Hit&) {
+        const auto node = mirror.kd_node(place);
+        const auto exit = exits.of(place);
+        Step step;
+        step.cell = place;
+        step.entry = t;
+        step.exit = exit.t;
+        step.face = exit.face;
+        if (node.axis == mirror.kd_leaf) {
+            step.listed = node.end_reference - node.first_reference;
+            const bool only_touched = exit.t <= t && exit.t < exits.end();
+            step.outcome = passes_over_points && only_touched ? Outcome::touched : Outcome::leaf;
+        } else {
+            const bool upwards = last_place != no_cell && mirror.kd_parent(last_place) == place;
+            step.outcome = upwards ? Outcome::climbed : Outcome::entered;
+            step.axis = node.axis;
+            step.plane_t = mirror.plane_distance(node.split, ray, node.axis);
+        }
+        last_place = place;
+        return step;
+    }
+
+    void leave(const Step& step) {
+        if (step.outcome == Outcome::leaf) {
+            t = step.exit;
+        }
+    }
+
+    Ending ending(const RecordedWalk& walk) const {
+        if (walk.steps.empty()) {
+            return Ending::no_way_in;
+        }
+        if (ended_at_any_hit(walk)) {
+            return Ending::found;
+        }
+        const Step& last = walk.steps.back();
+        if (!(last.nearest.t < last.exit)) {
+            return last.exit < walk.ray.t_max ? Ending::outside : Ending::ray_is_over;
+        }
+        return walk.hit.triangle == no_triangle ? Ending::ray_is_over : Ending::hit;
+    }
+
+    static constexpr bool passes_over_points = requires(Mirror mirror) { mirror.kd_ropes; };
+
+    typename Mirror::Ray ray;
+    BoxExits exits;
+    float t; // where the walk is
+    int last_place = no_cell;
+};
+
+template <class Mirror>
+WalkRecorder kd_recorder(const RecorderInput& input) {
+    return recorder_of<Mirror, ExplainNode<Mirror>>(input);
+}
+
+} // namespace
+
+WalkRecorder record_kd_restart(const RecorderInput& input) {
+    return kd_recorder<mirror::KdRestartRecorded<float>>(input);
+}
+
+WalkRecorder record_kd_backtrack(const RecorderInput& input) {
+    return kd_recorder<mirror::KdBacktrackRecorded<float>>(input);
+}
+
+WalkRecorder record_kd_short_stack(const RecorderInput& input) {
+    return kd_recorder<mirror::KdShortStackRecorded<float>>(input);
+}
+
+WalkRecorder record_kd_ropes(const RecorderInput& input) {
+    return kd_recorder<mirror::KdRopesRecorded<float>>(input);
+}
+
+} // namespace raysteps

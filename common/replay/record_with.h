@@ -1,0 +1,109 @@
+#pragma once
+
+#include "parallel/on_threads.h"
+#include "replay/packed_mirror.h"
+#include "replay/walk_event.h"
+#include "replay/walk_recorder.h"
+
+#include <limits>
+#include <utility>
+
+namespace raysteps {
+
+// What tells one step of a family from its events. The tests that follow a visit belong to it.
+//   Explain(mirror, ray, input): prepares
+//   Step explain.visit(mirror, place, nearest): what is known when the walk comes to a place
+//   void explain.leave(step): when the walk comes to the next one
+//   Ending explain.ending(walk): why there was no further step
+
+constexpr float near_enough_for(Question question) {
+    constexpr float farthest = std::numeric_limits<float>::max();
+    return question == Question::any ? farthest : -farthest;
+}
+
+// Runs the whole walk with an observer who writes it down.
+template <class Mirror>
+Hit run_walk(Mirror& mirror, const Ray& ray, Question question) {
+    mirror.events.clear();
+    return mirror::from_mirror(
+        mirror.find_hit(mirror::to_mirror<Mirror>(ray), near_enough_for(question)));
+}
+
+// One test more at the end of the walk, made again by the same text: so it gives the same bits.
+template <class Mirror, class Prepared>
+void add_test(RecordedWalk& walk, Mirror& mirror, const Prepared& ray, int triangle,
+              typename Mirror::Hit& nearest) {
+    const auto hit = mirror.intersect_triangle(ray, mirror.triangle_corner(triangle, 0),
+                                               mirror.triangle_corner(triangle, 1),
+                                               mirror.triangle_corner(triangle, 2), triangle);
+    const bool best = mirror.is_nearer(hit, nearest);
+    if (best) {
+        nearest = hit;
+    }
+    walk.tests.push_back({triangle, mirror::from_mirror(hit), best});
+}
+
+// A walk, and what each of its events means.
+template <class Mirror, class Explain>
+RecordedWalk record_with(const RecorderInput& input, const Ray& ray, Question question) {
+    auto mirror = mirror::packed_mirror<Mirror>(input.scene, input.packed);
+    RecordedWalk walk;
+    walk.ray = ray;
+    walk.question = question;
+    walk.hit = run_walk(mirror, ray, question);
+    const std::vector<WalkEvent> events = std::exchange(mirror.events, {});
+    const auto mirror_ray = mirror::to_mirror<Mirror>(ray);
+    const auto prepared = mirror.prepare_ray(mirror_ray);
+    auto nearest = mirror.miss(mirror_ray);
+    Explain explain(mirror, mirror_ray, input);
+    for (const WalkEvent& event : events) {
+        const bool is_visit = event.kind == WalkEvent::Kind::visit;
+        if (is_visit || explain.each_test_is_a_step) {
+            if (!walk.steps.empty()) {
+                explain.leave(walk.steps.back());
+            }
+            Step step = explain.visit(mirror, event.number, nearest);
+            step.place = event.number;
+            step.first_test = step.end_test = walk.tests.size();
+            step.nearest = mirror::from_mirror(nearest);
+            walk.steps.push_back(step);
+        }
+        if (!is_visit) {
+            add_test(walk, mirror, prepared, event.number, nearest);
+            walk.steps.back().end_test = walk.tests.size();
+            walk.steps.back().nearest = mirror::from_mirror(nearest);
+        }
+    }
+    walk.ending = explain.ending(walk);
+    return walk;
+}
+
+// The recorder of one mirror.
+template <class Mirror, class Explain>
+WalkRecorder recorder_of(const RecorderInput& input) {
+    WalkRecorder recorder;
+    recorder.record = [input](const Ray& ray, Question question) {
+        return record_with<Mirror, Explain>(input, ray, question);
+    };
+    recorder.count = [input](std::span<const Ray> rays) {
+        std::vector<WalkCount> counts(rays.size());
+        in_parts(all_cores, rays.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            auto mirror = mirror::packed_mirror<Mirror>(input.scene, input.packed);
+            for (std::size_t i = begin; i < end; ++i) {
+                run_walk(mirror, rays[i], Question::nearest);
+                for (const WalkEvent& event : mirror.events) {
+                    ++(event.kind == WalkEvent::Kind::visit ? counts[i].visits : counts[i].tests);
+                }
+            }
+        });
+        return counts;
+    };
+    return recorder;
+}
+
+// Whether a walk ended in its last step because any hit would do.
+inline bool ended_at_any_hit(const RecordedWalk& walk) {
+    return walk.question == Question::any && walk.hit.triangle != no_triangle;
+}
+
+} // namespace raysteps

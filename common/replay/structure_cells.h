@@ -1,0 +1,56 @@
+#pragma once
+
+#include "geometry/box.h"
+#include "structure/packed_structure.h"
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+inline constexpr int no_cell = -1;
+inline constexpr int no_axis = -1;
+
+// A part of a structure as a box: the cell of a grid, or a node of a tree.
+struct Cell {
+    Box box;
+    int parent = no_cell;
+    int depth = 0;
+    int triangles = 0; // listed in it; of an inner node, in all leaves below together
+    bool leaf = true;
+    int axis = no_axis; // of the plane at which a node of a kd-tree parts its box
+    float split = 0.0f;
+    double cost = 0.0; // what it adds to the expected cost of a ray through the whole
+};
+
+enum class CellKind { none, grid, kd_tree, bvh };
+
+// All parts of a structure. A cell's place here is what walks call it; of a BVH it is the place in
+// octant 0. A parent stands before its children.
+struct StructureCells {
+    CellKind kind = CellKind::none;
+    std::vector<Cell> cells;
+    glm::ivec3 grid_cells{0}; // of a grid
+    int deepest = 0;
+};
+
+// What a cell is expected to cost: a step, and a test for each triangle of a leaf.
+struct CellCosts {
+    double traversal = 1.0;
+    double intersection = 1.5;
+};
+
+// The cells of a structure, from the very arrays that its walks read: of a structure that has none,
+// no cell. A cell is met with the probability of its surface over that of the whole, and costs
+// there what measure_bvh says. In time linear in the cells and references.
+StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs);
+
+// `cell (3,0,5)`, `node 12` or `leaf 12`.
+std::string cell_name(const StructureCells& structure, int cell);
+
+// Whether both have the same boxes, so that a cell's place means the same in both.
+bool same_cells(const StructureCells& a, const StructureCells& b);
+
+} // namespace raysteps

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "visualizer/state.h"
+
+#include <string>
+
+namespace raysteps::view {
+
+// What each key does, with the values as they are.
+std::string help_text(const State& state);
+
+} // namespace raysteps::view

@@ -1,0 +1,65 @@
+// The visualizer: what a structure looks like, and how a ray walks through it.
+#include "error/error.h"
+#include "visualizer/keys.h"
+#include "visualizer/request.h"
+#include "visualizer/show_view.h"
+#include "visualizer/stage.h"
+#include "visualizer/state_file.h"
+
+#include <cstdio>
+#include <iostream>
+#include <new>
+
+#include <unistd.h>
+
+using namespace raysteps;
+
+namespace {
+
+int fail(ExitCode code, const std::string& sentence) {
+    std::cerr << "visualizer: " << sentence << "\n";
+    return static_cast<int>(code);
+}
+
+void say_on_terminal(const std::string& what) {
+    if (isatty(STDERR_FILENO) != 0) {
+        std::cerr << what << " ...\n";
+    }
+}
+
+void run(int argc, char** argv) {
+    view::Request request = view::read_request(argc, argv);
+    if (!request.help.empty()) {
+        std::cout << request.help;
+        return;
+    }
+    view::Stage stage(say_on_terminal);
+    stage.show(request.state);
+    for (const std::string& message : stage.scene().messages) {
+        std::cerr << message << "\n";
+    }
+    if (request.to_parting) {
+        request.state = view::after_key(request.state, stage, "d");
+    }
+    if (!request.save_to.empty()) {
+        view::save_state(request.save_to, request.state);
+        std::cout << "wrote     " << request.save_to.string() << "\n";
+    }
+    view::show_view(request, stage);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        run(argc, argv);
+        return static_cast<int>(ExitCode::done);
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::machine_lacks, "memory is short. Take a smaller scene.");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::machine_lacks, std::string("something failed that should not: ") +
+                                                 error.what() + ". This is a fault of Raysteps.");
+    }
+}

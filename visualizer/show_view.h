@@ -1,0 +1,12 @@
+#pragma once
+
+#include "visualizer/request.h"
+#include "visualizer/stage.h"
+
+namespace raysteps::view {
+
+// Does what is asked for: writes pictures and files, or opens a window. The stage shows the
+// request's state. Throws MachineError where the machine can draw nothing.
+void show_view(const Request& request, Stage& stage);
+
+} // namespace raysteps::view

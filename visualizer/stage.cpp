@@ -1,0 +1,262 @@
+#include "visualizer/stage.h"
+
+#include "error/error.h"
+#include "parse/words.h"
+#include "scene/load_scene.h"
+#include "scene/view.h"
+#include "structure/build_choices.h"
+#include "structure/families.h"
+#include "structure/reach.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace raysteps::view {
+
+namespace {
+
+// `bvh_ordered:split=median`: the structure and the values of its own.
+struct StructureName {
+    std::string structure;
+    std::map<std::string, std::string> values;
+};
+
+// Of a family, as in `kd`, the first of its walks.
+std::string walk_named(const std::string& name) {
+    const std::vector<std::string> names = recorded_structures();
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+        return name;
+    }
+    for (const std::string usual : {"bvh_ordered", "kd_ropes"}) {
+        if (usual.starts_with(name + "_")) {
+            return usual;
+        }
+    }
+    return name;
+}
+
+StructureName read_name(const std::string& text) {
+    const std::vector<std::string> words = split_words(text, ':');
+    StructureName name{walk_named(words.front()), {}};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::size_t equals = words[i].find('=');
+        if (equals == std::string::npos) {
+            throw InputError("--structure " + text +
+                             ": an option of a structure is NAME=VALUE, as in "
+                             "bvh_ordered:split=median.");
+        }
+        name.values[words[i].substr(0, equals)] = words[i].substr(equals + 1);
+    }
+    return name;
+}
+
+// Values for all panes are handed to those builders that have such an option.
+std::map<std::string, std::string> values_for(const StructureName& name, const State& state) {
+    check_build_values(name.values, {{name.structure}});
+    std::map<std::string, std::string> values = name.values;
+    for (const BuildOption& option : family_of(name.structure).options) {
+        const auto given = state.build_values.find(option.name);
+        if (given != state.build_values.end()) {
+            values.try_emplace(option.name, given->second);
+        }
+    }
+    return values;
+}
+
+double number_in(const std::string& text, double otherwise) {
+    return parse_number<double>(text).value_or(otherwise);
+}
+
+// The costs that the builder reckoned with; of one that does not, those of CellCosts.
+CellCosts costs_of(const StructureFamily& family,
+                   const std::map<std::string, std::string>& values) {
+    CellCosts costs;
+    for (const BuildOption& option : family.options) {
+        const auto given = values.find(option.name);
+        const std::string text = given == values.end() ? option.initial : given->second;
+        if (option.name == "traversal-cost") {
+            costs.traversal = number_in(text, costs.traversal);
+        } else if (option.name == "intersection-cost") {
+            costs.intersection = number_in(text, costs.intersection);
+        }
+    }
+    return costs;
+}
+
+bool same_camera(const std::optional<Camera>& a, const std::optional<Camera>& b) {
+    if (!a || !b) {
+        return !a && !b;
+    }
+    return a->eye == b->eye && a->target == b->target && a->up == b->up &&
+           a->vertical_field_of_view == b->vertical_field_of_view;
+}
+
+bool same_ray(const std::optional<Ray>& a, const std::optional<Ray>& b) {
+    if (!a || !b) {
+        return !a && !b;
+    }
+    return a->origin == b->origin && a->direction == b->direction && a->t_min == b->t_min &&
+           a->t_max == b->t_max;
+}
+
+float aspect_ratio(const State& state) {
+    return static_cast<float>(state.picture.x) / static_cast<float>(state.picture.y);
+}
+
+std::string pixel_text(const glm::ivec2& pixel) {
+    return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+}
+
+} // namespace
+
+void Stage::load(const State& state) {
+    say_("loading " + state.scene);
+    Scene scene = load_scene(state.scene, aspect_ratio(state));
+    scene_ = std::move(scene);
+    bounds_ = bounds_of(scene_.corners);
+    panes_.clear();
+    buffers_ = std::make_unique<mirror::SceneBuffers>(scene_);
+}
+
+void Stage::build(const State& state) {
+    check_build_values(state.build_values, [&] {
+        std::vector<std::string> names;
+        for (const std::string& text : state.structures) {
+            names.push_back(read_name(text).structure);
+        }
+        return names;
+    }());
+    std::vector<std::unique_ptr<Pane>> panes;
+    for (const std::string& text : state.structures) {
+        const StructureName name = read_name(text);
+        auto pane = std::make_unique<Pane>();
+        pane->label = text;
+        pane->structure = name.structure;
+        pane->recorder = make_recorder(name.structure, {*buffers_, pane->built.packed});
+        const StructureFamily family = family_of(name.structure);
+        const std::map<std::string, std::string> values = values_for(name, state);
+        say_("building " + text);
+        pane->built = family.build(scene_.corners, {.reach = reach_, .values = values});
+        pane->cells = cells_of(pane->built.packed, costs_of(family, values));
+        panes.push_back(std::move(pane));
+    }
+    panes_ = std::move(panes);
+}
+
+void Stage::record(const State& state) {
+    for (const std::unique_ptr<Pane>& pane : panes_) {
+        pane->path.clear();
+        if (ray_) {
+            pane->path = record_path({scene_, *buffers_, pane->recorder}, *ray_, state.bounces);
+        }
+    }
+}
+
+void Stage::count(const State& state) {
+    if (state.heat_map == HeatMap::none) {
+        return;
+    }
+    const View seen = view_of(camera_, static_cast<double>(aspect_ratio(state)));
+    for (const std::unique_ptr<Pane>& pane : panes_) {
+        if (pane->counted.empty()) {
+            say_("tracing every pixel through " + pane->label);
+            pane->counted =
+                pane->recorder.count(pixel_rays(seen, state.picture.x, state.picture.y));
+        }
+    }
+}
+
+void Stage::show(const State& state) {
+    if (state.structures.empty()) {
+        throw InputError("--structure: no structure is named. Name one.");
+    }
+    // Where something goes wrong on the way, the next state is shown from the beginning.
+    const std::optional<State> before = std::exchange(shown_, std::nullopt);
+    const bool new_picture = !before || before->picture != state.picture;
+    const bool new_scene = !before || before->scene != state.scene ||
+                           (new_picture && aspect_ratio(*before) != aspect_ratio(state));
+    if (new_scene) {
+        load(state);
+    }
+    const bool new_camera = new_scene || !same_camera(before->camera, state.camera);
+    if (new_camera) {
+        camera_ = state.camera.value_or(scene_.camera);
+    }
+    std::optional<Ray> ray = state.ray;
+    if (state.pixel) {
+        const glm::ivec2 pixel = *state.pixel;
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= state.picture.x ||
+            pixel.y >= state.picture.y) {
+            throw InputError(
+                "--pixel " + pixel_text(pixel) + ": the picture has the pixels 0,0 to " +
+                pixel_text(state.picture - 1) + ". Take one of them, or another --size.");
+        }
+        ray = pixel_ray(view_of(camera_, static_cast<double>(aspect_ratio(state))), state.picture.x,
+                        state.picture.y, pixel.x, pixel.y);
+    }
+    // A structure holds for rays from within its reach; farther out, it is built anew.
+    float reach = std::max(new_scene ? 0.0f : reach_, reach_of(camera_.eye, scene_.corners));
+    if (ray) {
+        reach = std::max(reach, reach_of(ray->origin, scene_.corners));
+    }
+    const bool new_structures = new_scene || reach > reach_ ||
+                                before->structures != state.structures ||
+                                before->build_values != state.build_values;
+    reach_ = reach;
+    if (new_structures) {
+        build(state);
+    }
+    const bool new_ray = !same_ray(ray, ray_) || (before && before->bounces != state.bounces);
+    ray_ = ray;
+    if (new_structures || new_ray) {
+        record(state);
+    }
+    if (new_camera || new_picture) {
+        for (const std::unique_ptr<Pane>& pane : panes_) {
+            pane->counted.clear();
+        }
+    }
+    shown_ = state;
+    count(state);
+}
+
+const RecordedWalk* walk_in(const Pane& pane, const State& state) {
+    if (pane.path.empty()) {
+        return nullptr;
+    }
+    const int last = static_cast<int>(pane.path.size()) - 1;
+    return &pane.path[static_cast<std::size_t>(std::clamp(state.path_ray, 0, last))].walk;
+}
+
+std::size_t step_in(const RecordedWalk& walk, const State& state) {
+    if (walk.steps.empty()) {
+        return 0;
+    }
+    const std::size_t last = walk.steps.size() - 1;
+    return state.step < 0 ? last : std::min(static_cast<std::size_t>(state.step), last);
+}
+
+int step_count(const Stage& stage, const State& state) {
+    std::size_t most = 0;
+    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
+        const RecordedWalk* walk = walk_in(*pane, state);
+        most = std::max(most, walk ? walk->steps.size() : 0);
+    }
+    return static_cast<int>(most);
+}
+
+std::optional<Parting> parting_of(const Stage& stage, const State& state) {
+    if (stage.panes().size() < 2) {
+        return std::nullopt;
+    }
+    const Pane& first = *stage.panes()[0];
+    const Pane& second = *stage.panes()[1];
+    const RecordedWalk* walk = walk_in(first, state);
+    const RecordedWalk* other = walk_in(second, state);
+    if (!walk || !other) {
+        return std::nullopt;
+    }
+    return find_parting({first.cells, *walk}, {second.cells, *other});
+}
+
+} // namespace raysteps::view

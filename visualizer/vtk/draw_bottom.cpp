@@ -1,0 +1,97 @@
+#include "visualizer/vtk/draw_bottom.h"
+
+#include "replay/sentence.h"
+#include "replay/shader_line.h"
+#include "visualizer/colors.h"
+#include "visualizer/vtk/paint.h"
+
+#include <algorithm>
+
+namespace raysteps::view {
+
+namespace {
+
+constexpr int line = 22;
+
+// Of the first pane, whose steps the slider shows.
+void draw_slider(vtkRenderer& renderer, const Area& slider, const RecordedWalk& walk, int steps,
+                 std::size_t current) {
+    fill(renderer, slider, {0.88f, 0.89f, 0.91f});
+    const auto count = static_cast<std::size_t>(std::max(steps, 1));
+    const auto place = [&](std::size_t step) {
+        return slider.x + static_cast<int>(static_cast<std::size_t>(slider.width) * step / count);
+    };
+    // A walk of more steps than pixels is marked where it can be.
+    std::size_t stride = 1;
+    while (count / stride > static_cast<std::size_t>(slider.width)) {
+        ++stride;
+    }
+    for (std::size_t i = 0; i < walk.steps.size(); i += stride) {
+        const int left = place(i);
+        const int width =
+            std::max(place(i + stride) - left - (slider.width > 4 * steps ? 1 : 0), 1);
+        fill(renderer, {left, slider.y + 2, width, slider.height - 4}, color_of(walk.steps[i]));
+    }
+    const int width = std::max(place(current + 1) - place(current), 4);
+    fill(renderer, {place(current), slider.y - 2, width, slider.height + 4}, current_color);
+}
+
+std::string head_of(const Stage& stage, const Pane& pane) {
+    return stage.panes().size() > 1 ? pane.label + ": " : "";
+}
+
+std::string shader_text(const RecordedWalk& walk, std::size_t step) {
+    const ShaderLine found = deciding_line(walk, step);
+    return "shaders/" + found.file + ":" + std::to_string(found.number) + "   " + found.text;
+}
+
+std::string hint_of() {
+    return "No ray yet: give --pixel x,y or --ray ox,oy,oz,dx,dy,dz, or click on the model or "
+           "a heat map. H shows the keys.";
+}
+
+void write_parting(vtkRenderer& renderer, const Stage& stage, const State& state, int y) {
+    const auto parting = parting_of(stage, state);
+    std::string text = "The two walks never part.";
+    if (parting) {
+        text = "The walks part at step " + std::to_string(parting->first_step + 1) + " of " +
+               stage.panes()[0]->label + " and step " + std::to_string(parting->second_step + 1) +
+               " of " + stage.panes()[1]->label + " (D jumps there).";
+    }
+    write(renderer, text, {margin, y}, {.color = faint_ink, .size = 13});
+}
+
+} // namespace
+
+void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage,
+                 const State& state) {
+    int y = layout.step_slider.y - line - 2;
+    if (!stage.ray()) {
+        write(renderer, hint_of(), {margin, y}, {.color = faint_ink, .size = 15});
+        return;
+    }
+    const RecordedWalk& first = *walk_in(*stage.panes().front(), state);
+    draw_slider(renderer, layout.step_slider, first, step_count(stage, state),
+                step_in(first, state));
+    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
+        const RecordedWalk& walk = *walk_in(*pane, state);
+        if (walk.steps.empty()) {
+            write(renderer, head_of(stage, *pane) + ending_of(walk), {margin, y}, {.size = 16});
+            y -= 2 * line;
+            continue;
+        }
+        const std::size_t step = step_in(walk, state);
+        const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step);
+        write(renderer, sentence, {margin, y},
+              {.size = size_to_fit(sentence, layout.bottom.width - 2 * margin, 16)});
+        y -= line;
+        write(renderer, shader_text(walk, step), {margin, y},
+              {.color = faint_ink, .size = 14, .font = Font::code});
+        y -= line;
+    }
+    if (stage.panes().size() > 1) {
+        write_parting(renderer, stage, state, y);
+    }
+}
+
+} // namespace raysteps::view

@@ -1,0 +1,194 @@
+#include "visualizer/vtk/draw_side.h"
+
+#include "replay/sentence.h"
+#include "visualizer/cell_choice.h"
+#include "visualizer/colors.h"
+#include "visualizer/vtk/draw_table.h"
+#include "visualizer/vtk/paint.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raysteps::view {
+
+namespace {
+
+constexpr int line = 20;
+
+// A column of text that grows downwards.
+struct Column {
+    vtkRenderer& renderer;
+    int x;
+    int right;
+    int y; // of the next line's base
+};
+
+void add_line(Column& column, const std::string& text, const Writing& writing) {
+    write(column.renderer, text, {column.x, column.y}, writing);
+    column.y -= line;
+}
+
+void add_heading(Column& column, const std::string& text) {
+    column.y -= 6;
+    add_line(column, text, {.size = 14, .font = Font::bold});
+}
+
+void add_fact(Column& column, const std::string& name, const std::string& value) {
+    write(column.renderer, value, {column.right, column.y}, {.size = 13, .side = Side::right});
+    add_line(column, name, {.color = faint_ink, .size = 13});
+}
+
+void add_swatch(Column& column, const glm::vec3& color, const std::string& text) {
+    fill(column.renderer, {column.x, column.y + 1, 20, 9}, color);
+    write(column.renderer, text, {column.x + 30, column.y}, {.size = 13});
+    column.y -= line - 1;
+}
+
+void add_color_bar(Column& column, const Stage& stage, const State& state) {
+    std::vector<double> values;
+    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
+        for (const double value : color_values(*pane, state, choose_cells(*pane, state).cells)) {
+            values.push_back(value);
+        }
+    }
+    add_heading(column, "Cells: " + color_title(state.color));
+    if (values.empty()) {
+        add_line(column, "no cell is shown", {.color = faint_ink, .size = 13});
+        return;
+    }
+    const ValueRange range = range_of(values);
+    constexpr int parts = 64;
+    const int width = column.right - column.x;
+    for (int i = 0; i < parts; ++i) {
+        const int left = column.x + width * i / parts;
+        fill(column.renderer, {left, column.y - 2, column.x + width * (i + 1) / parts - left, 14},
+             color_in({0.0, parts - 1.0}, i));
+    }
+    column.y -= line - 1;
+    const Writing small{.color = faint_ink, .size = 12};
+    Writing middle = small;
+    middle.side = Side::center;
+    Writing right = small;
+    right.side = Side::right;
+    write(column.renderer, short_number(0.5 * (range.lower + range.upper)),
+          {(column.x + column.right) / 2, column.y}, middle);
+    write(column.renderer, short_number(range.upper), {column.right, column.y}, right);
+    add_line(column, short_number(range.lower), small);
+}
+
+void add_color_names(Column& column, const Stage& stage, const State& state) {
+    const Pane& pane = *stage.panes().front();
+    if (pane.path.empty()) {
+        return;
+    }
+    add_heading(column, "The walk");
+    add_swatch(column, current_color, "this step");
+    add_swatch(column, culled_color, "left out (dashed)");
+    add_swatch(column, {0.00f, 0.62f, 0.45f}, "the ray in leaves, in two tones");
+    add_swatch(column, tested_color, "triangles tested");
+    add_swatch(column, hit_color, "hit");
+    add_heading(column, "Rays behind the pixel");
+    const auto count = [&](RayRole role) {
+        return std::count_if(pane.path.begin(), pane.path.end(),
+                             [&](const PathRay& ray) { return ray.role == role; });
+    };
+    for (const auto& [role, name] : {std::pair{RayRole::camera, "camera"},
+                                     {RayRole::shadow, "shadow"},
+                                     {RayRole::mirror, "mirror"}}) {
+        if (count(role) > 0) {
+            add_swatch(column, color_of(role), std::to_string(count(role)) + " " + name);
+        }
+    }
+    const int last = static_cast<int>(pane.path.size()) - 1;
+    const auto shown = static_cast<std::size_t>(std::clamp(state.path_ray, 0, last));
+    add_fact(column, "shown (Tab: the next)", ray_name(pane.path[shown]));
+}
+
+std::string fact_value(const Fact& fact) {
+    if (fact.name.ends_with("bytes")) {
+        return short_number(fact.value / 1048576.0) + " MiB";
+    }
+    if (fact.name.ends_with("seconds")) {
+        return short_number(fact.value) + " s";
+    }
+    return fact.value == static_cast<double>(static_cast<long long>(fact.value))
+               ? std::to_string(static_cast<long long>(fact.value))
+               : short_number(fact.value);
+}
+
+void add_facts(Column& column, const Stage& stage, int lowest) {
+    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
+        if (pane->built.facts.empty() || column.y - 3 * line < lowest) {
+            continue;
+        }
+        add_heading(column, pane->label);
+        for (const Fact& fact : pane->built.facts) {
+            if (column.y < lowest) {
+                break;
+            }
+            std::string name = fact.name;
+            std::replace(name.begin(), name.end(), '_', ' ');
+            add_fact(column, name, fact_value(fact));
+        }
+    }
+}
+
+struct SliderValues {
+    double from = 0.0; // parts of the slider's width
+    double to = 1.0;
+    std::string name;
+    std::string value;
+};
+
+void draw_slider(vtkRenderer& renderer, const Area& area, const SliderValues& values) {
+    write(renderer, values.name, {area.x, area.y + area.height + 6}, {.size = 13});
+    write(renderer, values.value, {area.x + area.width, area.y + area.height + 6},
+          {.size = 13, .side = Side::right});
+    fill(renderer, area, rule_color);
+    const int left = area.x + static_cast<int>(values.from * area.width);
+    const int right = area.x + static_cast<int>(values.to * area.width);
+    fill(renderer, {left, area.y, std::max(right - left, 3), area.height},
+         color_of(RayRole::camera));
+}
+
+std::string levels_text(const Stage& stage, const State& state,
+                        const std::vector<DrawnPane>& drawn) {
+    const Levels levels = levels_of(*stage.panes().front(), state);
+    std::string text = std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) +
+                       " of " + std::to_string(stage.panes().front()->cells.deepest) + ", " +
+                       count_of(static_cast<std::size_t>(drawn.front().cells), "box") +
+                       (drawn.front().cells == 1 ? "" : "");
+    if (drawn.front().cells != 1) {
+        text.replace(text.size() - 4, 4, "boxes");
+    }
+    if (drawn.front().left_out > 0) {
+        text += " (" + std::to_string(drawn.front().left_out) + " more not drawn)";
+    }
+    return text;
+}
+
+} // namespace
+
+void draw_side(vtkRenderer& renderer, const Layout& layout, const Stage& stage, const State& state,
+               const std::vector<DrawnPane>& drawn) {
+    const Area& side = layout.side;
+    Column column{renderer, side.x + margin, side.x + side.width - margin,
+                  side.y + side.height - 24};
+    const int lowest = layout.level_slider.y + 46;
+    if (state.table) {
+        draw_table(renderer, layout, *stage.panes().front(), state);
+    } else {
+        add_color_bar(column, stage, state);
+        add_color_names(column, stage, state);
+        add_facts(column, stage, lowest);
+    }
+    const Levels levels = levels_of(*stage.panes().front(), state);
+    const double count = stage.panes().front()->cells.deepest + 1.0;
+    draw_slider(renderer, layout.level_slider,
+                {levels.lowest / count, (levels.highest + 1) / count, "levels",
+                 levels_text(stage, state, drawn)});
+    draw_slider(renderer, layout.opacity_slider,
+                {0.0, state.opacity, "opacity of cells", short_number(state.opacity)});
+}
+
+} // namespace raysteps::view

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "visualizer/vtk/drawing.h"
+
+namespace raysteps::view {
+
+// What is drawn in one pane.
+struct SpaceInput {
+    const Stage& stage;
+    const State& state;
+    std::size_t pane;
+    const Shape& model;
+};
+
+// The model, the structure's cells and the rays.
+DrawnPane draw_space(vtkRenderer& renderer, const Area& area, const SpaceInput& input);
+
+} // namespace raysteps::view

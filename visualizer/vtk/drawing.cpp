@@ -1,0 +1,134 @@
+#include "visualizer/vtk/drawing.h"
+
+#include "visualizer/colors.h"
+#include "visualizer/framing.h"
+#include "visualizer/help.h"
+#include "visualizer/vtk/draw_bottom.h"
+#include "visualizer/vtk/draw_heat_map.h"
+#include "visualizer/vtk/draw_side.h"
+#include "visualizer/vtk/draw_space.h"
+#include "visualizer/vtk/paint.h"
+
+#include <vtkCamera.h>
+
+namespace raysteps::view {
+
+namespace {
+
+void set_background(vtkRenderer& renderer, const glm::vec3& color) {
+    renderer.SetBackground(static_cast<double>(color.x), static_cast<double>(color.y),
+                           static_cast<double>(color.z));
+}
+
+vtkSmartPointer<vtkRenderer> add_renderer(vtkRenderWindow& window, const glm::vec3& background) {
+    auto renderer = vtkSmartPointer<vtkRenderer>::New();
+    set_background(*renderer, background);
+    renderer->InteractiveOff();
+    window.AddRenderer(renderer);
+    return renderer;
+}
+
+// Transparent things lie behind each other in any order: depth peeling blends them in theirs.
+void peel_depths(vtkRenderer& renderer) {
+    renderer.SetUseDepthPeeling(1);
+    renderer.SetMaximumNumberOfPeels(6);
+    renderer.SetOcclusionRatio(0.0);
+    renderer.SetUseFXAA(true);
+}
+
+void resize(std::vector<vtkSmartPointer<vtkRenderer>>& renderers, std::size_t count,
+            vtkRenderWindow& window, const glm::vec3& background) {
+    while (renderers.size() > count) {
+        window.RemoveRenderer(renderers.back());
+        renderers.pop_back();
+    }
+    while (renderers.size() < count) {
+        renderers.push_back(add_renderer(window, background));
+    }
+}
+
+glm::vec3 to_glm(const double* point) {
+    return {static_cast<float>(point[0]), static_cast<float>(point[1]),
+            static_cast<float>(point[2])};
+}
+
+} // namespace
+
+Drawing::Drawing(vtkRenderWindow& window) : window_(window) {
+    window_.SetAlphaBitPlanes(1);
+    window_.SetMultiSamples(0);
+    side_ = add_renderer(window_, panel);
+    bottom_ = add_renderer(window_, panel);
+    sheet_ = add_renderer(window_, panel);
+    sheet_->SetLayer(1);
+    window_.SetNumberOfLayers(2);
+}
+
+void Drawing::arrange(const Stage& stage, const State& state) {
+    layout_ = layout_of(state, stage.panes().size());
+    window_.SetSize(state.window.x, state.window.y);
+    resize(spaces_, layout_.panes.size(), window_, paper);
+    resize(heat_maps_, layout_.heat_maps.size(), window_, paper);
+    for (std::size_t i = 0; i < spaces_.size(); ++i) {
+        place_renderer(*spaces_[i], layout_.panes[i], state.window);
+        spaces_[i]->InteractiveOn();
+        spaces_[i]->SetActiveCamera(spaces_.front()->GetActiveCamera());
+        peel_depths(*spaces_[i]);
+    }
+    for (std::size_t i = 0; i < heat_maps_.size(); ++i) {
+        place_renderer(*heat_maps_[i], layout_.heat_maps[i], state.window);
+    }
+    place_renderer(*side_, layout_.side, state.window);
+    place_renderer(*bottom_, layout_.bottom, state.window);
+    place_renderer(*sheet_, {0, 0, state.window.x, state.window.y}, state.window);
+    for (const auto& renderers : {spaces_, heat_maps_, {side_, bottom_, sheet_}}) {
+        for (const vtkSmartPointer<vtkRenderer>& renderer : renderers) {
+            renderer->RemoveAllViewProps();
+        }
+    }
+}
+
+void Drawing::aim(const Stage& stage, const State& state) {
+    const Area& area = layout_.panes.front();
+    const double aspect = static_cast<double>(area.width) / area.height;
+    const Camera from = state.viewpoint ? *state.viewpoint : frame_stage(stage, state, aspect);
+    vtkCamera& camera = *spaces_.front()->GetActiveCamera();
+    camera.SetPosition(from.eye.x, from.eye.y, from.eye.z);
+    camera.SetFocalPoint(from.target.x, from.target.y, from.target.z);
+    camera.SetViewUp(from.up.x, from.up.y, from.up.z);
+    camera.SetViewAngle(static_cast<double>(from.vertical_field_of_view));
+    for (const vtkSmartPointer<vtkRenderer>& space : spaces_) {
+        space->ResetCameraClippingRange();
+    }
+}
+
+Camera Drawing::viewpoint() const {
+    vtkCamera& camera = *spaces_.front()->GetActiveCamera();
+    return {to_glm(camera.GetPosition()), to_glm(camera.GetFocalPoint()),
+            to_glm(camera.GetViewUp()), static_cast<float>(camera.GetViewAngle())};
+}
+
+std::vector<DrawnPane> Drawing::draw(const Stage& stage, const State& state) {
+    arrange(stage, state);
+    if (model_of_ != stage.scene().corners.data() || !model_) {
+        model_ = triangles(stage.scene().corners);
+        model_of_ = stage.scene().corners.data();
+    }
+    std::vector<DrawnPane> drawn;
+    for (std::size_t i = 0; i < spaces_.size(); ++i) {
+        drawn.push_back(draw_space(*spaces_[i], layout_.panes[i], {stage, state, i, model_}));
+    }
+    aim(stage, state);
+    for (std::size_t i = 0; i < heat_maps_.size(); ++i) {
+        draw_heat_map(*heat_maps_[i], layout_.heat_maps[i], stage, state, i);
+    }
+    draw_side(*side_, layout_, stage, state, drawn);
+    draw_bottom(*bottom_, layout_, stage, state);
+    if (state.help) {
+        write(*sheet_, help_text(state), {60, state.window.y - 60},
+              {.size = 14, .font = Font::code, .boxed = true});
+    }
+    return drawn;
+}
+
+} // namespace raysteps::view
