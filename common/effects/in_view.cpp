@@ -11,10 +11,11 @@ namespace raysteps {
 
 namespace {
 
-// The eye is in all of these planes; their normals point out of the view.
+// The eye is in all of these planes: the four sides, and the one that parts what is before the eye
+// from what is behind it. Their normals point out of the view.
 struct Frustum {
     glm::dvec3 eye;
-    std::array<glm::dvec3, 4> outward;
+    std::array<glm::dvec3, 5> outward;
 };
 
 Frustum frustum_of(const Camera& camera, double aspect_ratio) {
@@ -32,7 +33,8 @@ Frustum frustum_of(const Camera& camera, double aspect_ratio) {
     const glm::dvec3 upper_right = lower_right + up;
     return {glm::dvec3(view.eye),
             {side(lower_left, lower_right), side(upper_left, upper_right),
-             side(lower_left, upper_left), side(lower_right, upper_right)}};
+             side(lower_left, upper_left), side(lower_right, upper_right),
+             -glm::normalize(middle)}};
 }
 
 // The view's corners were rounded to float, relative to lengths of about 1: 2^-24. So a point this
