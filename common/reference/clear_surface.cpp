@@ -47,12 +47,13 @@ Passage passage(const Bodies& inside, const Material* material, bool outside) {
         passage.behind.push_back(material);
         return passage;
     }
-    const auto innermost = std::find(inside.rbegin(), inside.rend(), material);
-    if (innermost == inside.rend()) {
+    Bodies& behind = passage.behind;
+    const auto innermost = std::find(behind.rbegin(), behind.rend(), material);
+    if (innermost == behind.rend()) {
         passage.before.push_back(material); // it was in there from the start
         return passage;
     }
-    passage.behind.erase(std::next(innermost).base());
+    behind.erase(std::next(innermost).base());
     return passage;
 }
 

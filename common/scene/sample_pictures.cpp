@@ -36,7 +36,7 @@ Scene sample_pictures() {
     scene = map_around(std::move(scene), globe, center);
     scene.lights = {{{-4.5f, 6.0f, 5.0f}, {0.85f, 0.81f, 0.75f}},
                     {{5.0f, 3.5f, 5.0f}, {0.28f, 0.30f, 0.35f}}};
-    scene.camera = {{0.9f, 2.3f, 6.4f}, {0.35f, 1.15f, -0.4f}, {0.0f, 1.0f, 0.0f}, 38.0f};
+    scene.camera = {{1.0f, 2.5f, 7.4f}, {0.35f, 1.25f, -0.4f}, {0.0f, 1.0f, 0.0f}, 38.0f};
     scene.background = {0.10f, 0.13f, 0.19f};
     return scene;
 }

@@ -23,7 +23,7 @@ Scene sample_soft_light() {
     scene.lights = {
         {{-4.0f, 5.5f, 2.5f}, {0.95f, 0.91f, 0.84f}, {1.6f, 0.0f, 1.6f}, {0.9f, 1.2f, -0.9f}},
         {{7.0f, 4.0f, 6.0f}, glm::vec3(0.14f)}};
-    scene.camera = {{0.9f, 3.3f, 6.6f}, {0.0f, 0.75f, 0.0f}, {0.0f, 1.0f, 0.0f}, 40.0f};
+    scene.camera = {{0.9f, 3.6f, 8.0f}, {-0.1f, 1.05f, 0.0f}, {0.0f, 1.0f, 0.0f}, 40.0f};
     scene.background = {0.30f, 0.34f, 0.40f};
     return scene;
 }

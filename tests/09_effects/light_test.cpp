@@ -7,12 +7,12 @@ using namespace raysteps;
 
 namespace {
 
-// A camera high over the floor y = 0, under which the picture's rows run along x.
-Scene floor_scene(float view_height) {
+// A floor at y = 0 seen from straight above, from under the plate at y = 4: 4 wide, along x.
+Scene floor_scene() {
     Scene scene;
-    scene.camera = {{0, 50, 0}, {0, 0, 0}, {0, 0, -1}, 0.0f};
-    scene.camera.vertical_field_of_view = static_cast<float>(
-        2.0 * std::atan(static_cast<double>(view_height) / 100.0) * 180.0 / 3.14159265358979);
+    scene.camera = {{0, 3.9f, 0}, {0, 0, 0}, {0, 0, -1}, 0.0f};
+    scene.camera.vertical_field_of_view =
+        static_cast<float>(2.0 * std::atan(2.0 / 3.9) * 180.0 / 3.14159265358979);
     Material white;
     white.name = "floor";
     white.diffuse = glm::vec3(1.0f);
@@ -26,15 +26,9 @@ TEST_CASE("a penumbra is as wide as geometry says", "[09][soft_shadows]") {
     // A lamp 2 wide, 10 above the floor; a plate 4 above the floor whose edge is at x = 0. Points
     // of the lamp at x = -1 and x = +1 cast the edge to x = 4 / 6 * (+1 and -1): the penumbra is
     // 4 / 3 wide.
-    Scene scene = floor_scene(4.0f);
+    Scene scene = floor_scene();
     scene = add_mesh(scene, quad({0, 4, 20}, {30, 4, 20}, {30, 4, -20}, {0, 4, -20}), Material{});
-    scene.camera.eye = {0, -50, 0}; // from below: the plate is behind the floor
     scene.lights = {{{0, 10, 0}, glm::vec3(1.0f), {2, 0, 0}, {0, 0, 0.02f}}};
-    // The floor is seen from below, so the light comes from above through nothing: look from above
-    // instead, beside the plate's shadow, by leaving the plate out of the way.
-    scene.camera.eye = {0, 3.9f, 0};
-    scene.camera.vertical_field_of_view =
-        static_cast<float>(2.0 * std::atan(2.0 / 3.9) * 180.0 / 3.14159265358979);
     scene.camera.samples = 256;
     const int side = 64; // 4 wide: a pixel is 1/16
     const Image image = effect_picture(scene, side, "-antialiasing").image;
