@@ -3,10 +3,16 @@
 #include "scene/sample_bunny.h"
 #include "scene/sample_compact.h"
 #include "scene/sample_cornell_box.h"
+#include "scene/sample_glass_box.h"
+#include "scene/sample_glass_bunny.h"
 #include "scene/sample_knot.h"
+#include "scene/sample_lens.h"
 #include "scene/sample_mirrors.h"
 #include "scene/sample_mount.h"
 #include "scene/sample_needles.h"
+#include "scene/sample_pictures.h"
+#include "scene/sample_room.h"
+#include "scene/sample_soft_light.h"
 #include "scene/sample_soup.h"
 #include "scene/sample_sphereflake.h"
 #include "scene/sample_stadium.h"
@@ -81,6 +87,36 @@ const std::vector<SampleScene>& sample_scenes() {
          SampleView::framed,
          [](const Values&) { return sample_bunny(); },
          "the Stanford bunny of Debian's package glmark2-data"},
+        {"glass_box",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_glass_box(); },
+         "a box with a mirror ball and a glass ball under a lamp with an area"},
+        {"glass_bunny",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_glass_bunny(); },
+         "the Stanford bunny of green glass on a checkered floor"},
+        {"pictures",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_pictures(); },
+         "a globe, a box, bricks and wood: surfaces with pictures"},
+        {"soft_light",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_soft_light(); },
+         "matte solids under one wide lamp"},
+        {"lens",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_lens(); },
+         "a row of balls before a camera with a wide lens"},
+        {"room",
+         {},
+         SampleView::its_own,
+         [](const Values&) { return sample_room(); },
+         "an interior that calls for nearly every effect"},
     };
     return scenes;
 }

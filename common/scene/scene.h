@@ -3,11 +3,13 @@
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/sky.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct Scene {
     std::vector<Light> lights;
     Camera camera;
     glm::vec3 background{0.0f};
+    std::optional<Sky> sky;            // where there is one, it takes the place of the background
     std::vector<Model> models;         // where the triangles came from; empty for a sample scene
     std::vector<std::string> messages; // what a person should know of how it was loaded
 };

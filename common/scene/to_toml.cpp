@@ -35,12 +35,25 @@ std::string model_text(const Model& model) {
 std::string camera_text(const Camera& camera) {
     return "\n[camera]\neye = " + vec3_text(camera.eye) + "\ntarget = " + vec3_text(camera.target) +
            "\nup = " + vec3_text(camera.up) +
-           "\nvertical_field_of_view = " + toml_number_text(camera.vertical_field_of_view) + "\n";
+           "\nvertical_field_of_view = " + toml_number_text(camera.vertical_field_of_view) +
+           "\naperture = " + toml_number_text(camera.aperture) +
+           "\nfocus_distance = " + toml_number_text(camera.focus_distance) +
+           "\nsamples = " + std::to_string(camera.samples) + "\n";
 }
 
 std::string light_text(const Light& light) {
-    return "\n[[light]]\nposition = " + vec3_text(light.position) +
-           "\ncolor = " + vec3_text(light.color) + "\n";
+    std::string text = "\n[[light]]\nposition = " + vec3_text(light.position) +
+                       "\ncolor = " + vec3_text(light.color) + "\n";
+    if (has_area(light)) {
+        text +=
+            "across = " + vec3_text(light.across) + "\nalong = " + vec3_text(light.along) + "\n";
+    }
+    return text;
+}
+
+std::string sky_text(const Sky& sky) {
+    return "\n[sky]\nzenith = " + vec3_text(sky.zenith) + "\nhorizon = " + vec3_text(sky.horizon) +
+           "\nground = " + vec3_text(sky.ground) + "\n";
 }
 
 } // namespace
@@ -51,6 +64,9 @@ std::string to_toml(const Scene& scene) {
     text += "background = " + vec3_text(scene.background) + "\n";
     if (scene.lights.empty()) {
         text += "light = []\n"; // no light at all; without the key, two would be placed
+    }
+    if (scene.sky) {
+        text += sky_text(*scene.sky);
     }
     text += camera_text(scene.camera);
     for (const Light& light : scene.lights) {

@@ -123,10 +123,13 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
 Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio) {
     const toml::table table = parse(text, path);
     check_toml_keys(table, "a scene file",
-                    {"name", "sample", "model", "camera", "light", "background"});
+                    {"name", "sample", "model", "camera", "light", "background", "sky"});
     Scene scene = read_geometry(table, path, aspect_ratio);
     if (const toml::node* background = table.get("background")) {
         scene.background = toml_color(*background, "background");
+    }
+    if (const toml::node* sky = table.get("sky")) {
+        scene.sky = toml_sky(*sky);
     }
     if (const toml::node* camera = table.get("camera")) {
         scene.camera = toml_camera(*camera);

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 namespace raysteps {
 
 namespace {
@@ -14,6 +16,8 @@ constexpr TomlRange any_coordinate{-greatest_coordinate, greatest_coordinate};
 constexpr TomlRange any_light_coordinate{-greatest_light_coordinate, greatest_light_coordinate};
 constexpr TomlRange any_color{0.0, 1'000'000.0};
 constexpr TomlRange any_angle{0.0, 180.0};
+constexpr TomlRange any_length{0.0, greatest_coordinate};
+constexpr TomlRange any_sample_count{0.0, 4096.0};
 
 // The sine of the smallest angle between up and the line of sight. The direction to the right is
 // their cross product; in floats it is off by about 2^-22 over this sine, 2.4e-4, which is less
@@ -47,14 +51,34 @@ void check_camera(const Camera& camera, const toml::table& table) {
     }
 }
 
+glm::vec3 edge_of(const toml::table& light, std::string_view key) {
+    const toml::node* edge = light.get(key);
+    return edge == nullptr ? glm::vec3(0.0f) : toml_vec3(*edge, key, any_coordinate);
+}
+
+int whole_number(const toml::node& node, std::string_view key, TomlRange range) {
+    const double number = toml_number(node, key, range);
+    if (number != std::floor(number)) {
+        throw toml_error(node.source(), std::string(key) + " must be a whole number.");
+    }
+    return static_cast<int>(number);
+}
+
 Light light_of(const toml::node& node) {
     const toml::table& table = toml_table(node, "light");
-    check_toml_keys(table, "light", {"position", "color"});
+    check_toml_keys(table, "light", {"position", "color", "across", "along"});
     Light light;
     light.position = toml_vec3(required(table, "position", "a light needs a position."), "position",
                                any_light_coordinate);
     if (const toml::node* color = table.get("color")) {
         light.color = toml_color(*color, "color");
+    }
+    light.across = edge_of(table, "across");
+    light.along = edge_of(table, "along");
+    if (has_area(light) &&
+        glm::cross(glm::dvec3(light.across), glm::dvec3(light.along)) == glm::dvec3(0.0)) {
+        throw toml_error(table.source(), "a light with an area needs across and along, which must "
+                                         "not be parallel.");
     }
     return light;
 }
@@ -67,7 +91,9 @@ glm::vec3 toml_color(const toml::node& color, std::string_view key) {
 
 Camera toml_camera(const toml::node& node) {
     const toml::table& table = toml_table(node, "camera");
-    check_toml_keys(table, "camera", {"eye", "target", "up", "vertical_field_of_view"});
+    check_toml_keys(
+        table, "camera",
+        {"eye", "target", "up", "vertical_field_of_view", "aperture", "focus_distance", "samples"});
     Camera camera;
     camera.eye = toml_vec3(required(table, "eye", "camera needs an eye."), "eye", any_coordinate);
     camera.target =
@@ -84,8 +110,29 @@ Camera toml_camera(const toml::node& node) {
                              "and under 180.");
         }
     }
+    if (const toml::node* aperture = table.get("aperture")) {
+        camera.aperture = static_cast<float>(toml_number(*aperture, "aperture", any_length));
+    }
+    if (const toml::node* distance = table.get("focus_distance")) {
+        camera.focus_distance =
+            static_cast<float>(toml_number(*distance, "focus_distance", any_length));
+    }
+    if (const toml::node* samples = table.get("samples")) {
+        camera.samples = whole_number(*samples, "samples", any_sample_count);
+    }
     check_camera(camera, table);
     return camera;
+}
+
+Sky toml_sky(const toml::node& node) {
+    const toml::table& table = toml_table(node, "sky");
+    check_toml_keys(table, "sky", {"zenith", "horizon", "ground"});
+    const auto color = [&](std::string_view key, const char* sentence) {
+        return toml_color(required(table, key, sentence), key);
+    };
+    return {color("zenith", "sky needs the color of the zenith."),
+            color("horizon", "sky needs the color of the horizon."),
+            color("ground", "sky needs the color of the ground.")};
 }
 
 std::vector<Light> toml_lights(const toml::node& node) {

@@ -1,0 +1,254 @@
+#include "prove_effects.h"
+
+#include "command/deliver.h"
+#include "command/progress.h"
+#include "command/tracing_options.h"
+#include "compare/stopwatch.h"
+#include "effects/effects_renderer.h"
+#include "render/whitted_renderer.h"
+#include "report/bar_chart.h"
+#include "scene/load_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <memory>
+
+namespace raysteps {
+
+namespace {
+
+// One way to render a scene, and the seconds of the processor that each round took.
+struct Contender {
+    std::string name;
+    std::function<Image()> render;
+    Image image;
+    std::vector<double> seconds;
+};
+
+struct SceneProof {
+    std::string scene;
+    std::size_t different_pixels = 0;
+    RayTally planned;
+    RayTally everything;
+    double planned_seconds = 0.0;
+    double everything_seconds = 0.0;
+    double chapter_03_seconds = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::pair<std::string, double>> without; // seconds without one effect
+};
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+std::size_t count_different(const Image& a, const Image& b) {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        different += a.pixels[i] == b.pixels[i] ? 0 : 1;
+    }
+    return different;
+}
+
+// The ways to render one scene; they share its structure.
+class Contest {
+public:
+    Contest(const Command& command, const Quality& quality, const Parts& parts,
+            const std::string& name)
+        : command_(command), quality_(quality), parts_(parts),
+          scene_(load_scene(name, static_cast<float>(command.width) /
+                                      static_cast<float>(command.height))),
+          structure_(build_structure(command, scene_)), limits_(measure_limits()) {
+        called_ = plan("").effects;
+    }
+
+    const EffectSet& called() const { return called_; }
+
+    void add_effects(const std::string& name, const std::string& choice) {
+        auto renderer = std::make_shared<EffectsRenderer>(scene_, upload(scene_, structure_),
+                                                          plan(choice), parts_, limits_);
+        renderers_.push_back(renderer);
+        contenders_.push_back({name,
+                               [this, renderer] {
+                                   return renderer->render(scene_.camera, command_.width,
+                                                           command_.height);
+                               },
+                               {},
+                               {}});
+    }
+
+    void add_chapter_03() {
+        auto renderer =
+            std::make_shared<WhittedRenderer>(scene_, upload(scene_, structure_), parts_, limits_);
+        contenders_.push_back({"chapter 03",
+                               [this, renderer] {
+                                   return renderer->render(scene_.camera, command_.width,
+                                                           command_.height, quality_.max_bounces);
+                               },
+                               {},
+                               {}});
+    }
+
+    // The first round only warms up.
+    void run(int rounds) {
+        for (int round = 0; round <= rounds; ++round) {
+            for (Contender& contender : contenders_) {
+                const Seconds seconds = seconds_of([&] { contender.image = contender.render(); });
+                if (round > 0) {
+                    contender.seconds.push_back(seconds.cpu);
+                }
+            }
+        }
+    }
+
+    const std::vector<Contender>& contenders() const { return contenders_; }
+    const RayTally& tally(std::size_t i) const { return renderers_[i]->tally(); }
+
+private:
+    Plan plan(const std::string& choice) const {
+        return make_plan(scene_, static_cast<double>(command_.width) / command_.height, choice,
+                         quality_);
+    }
+
+    const Command& command_;
+    Quality quality_;
+    Parts parts_;
+    Scene scene_;
+    BuiltStructure structure_;
+    Limits limits_;
+    EffectSet called_;
+    std::vector<std::shared_ptr<EffectsRenderer>> renderers_;
+    std::vector<Contender> contenders_;
+};
+
+SceneProof prove(const Command& command, const Proof& proof, const Quality& quality,
+                 const Parts& parts, const std::string& scene) {
+    Contest contest(command, quality, parts, scene);
+    contest.add_effects("planned", "");
+    contest.add_effects("everything", "+all");
+    std::vector<std::string> names;
+    for (const Effect effect : contest.called()) {
+        names.emplace_back(row_of(effect).name);
+        contest.add_effects(names.back(), "-" + names.back());
+    }
+    const bool is_plain = contest.called() == EffectSet{Effect::diffuse, Effect::shadows};
+    if (is_plain) {
+        contest.add_chapter_03();
+    }
+    contest.run(proof.rounds);
+    const std::vector<Contender>& contenders = contest.contenders();
+    SceneProof result{.scene = scene,
+                      .different_pixels = count_different(contenders[0].image, contenders[1].image),
+                      .planned = contest.tally(0),
+                      .everything = contest.tally(1),
+                      .planned_seconds = median(contenders[0].seconds),
+                      .everything_seconds = median(contenders[1].seconds),
+                      .without = {}};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        result.without.emplace_back(names[i], median(contenders[2 + i].seconds));
+    }
+    if (is_plain) {
+        result.chapter_03_seconds = median(contenders.back().seconds);
+        result.different_pixels += count_different(contenders[0].image, contenders.back().image);
+    }
+    return result;
+}
+
+// Rays of kinds that the plan has no effect for.
+long uncalled_rays(const SceneProof& proof) {
+    const auto has_effect = [&](const char* name) {
+        return std::any_of(proof.without.begin(), proof.without.end(),
+                           [&](const auto& one) { return one.first == name; });
+    };
+    const auto uncalled = [&](const RayTally& tally) {
+        return (has_effect("shadows") ? 0 : tally.shadow) +
+               (has_effect("soft_shadows") ? 0 : tally.soft_shadow) +
+               (has_effect("glass_shadows") ? 0 : tally.behind_glass) +
+               (has_effect("mirrors") ? 0 : tally.mirror) +
+               (has_effect("refraction") ? 0 : tally.refracted + tally.reflected_by_glass);
+    };
+    return uncalled(proof.planned) + uncalled(proof.everything);
+}
+
+void print(const std::vector<SceneProof>& proofs) {
+    std::printf("\n| scene | rays | uncalled rays | different pixels | planned s | everything s | "
+                "saved | to chapter 03 |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    for (const SceneProof& proof : proofs) {
+        std::printf("| %s | %ld | %ld | %zu | %.2f | %.2f | %.0f %% |", proof.scene.c_str(),
+                    all_rays(proof.planned), uncalled_rays(proof), proof.different_pixels,
+                    proof.planned_seconds, proof.everything_seconds,
+                    100.0 * (1.0 - proof.planned_seconds / proof.everything_seconds));
+        if (std::isnan(proof.chapter_03_seconds)) {
+            std::printf(" |\n");
+        } else {
+            std::printf(" %.2f |\n", proof.planned_seconds / proof.chapter_03_seconds);
+        }
+    }
+    std::printf("\nWhat a picture costs less without one of its effects:\n");
+    for (const SceneProof& proof : proofs) {
+        std::printf("%-14s", proof.scene.c_str());
+        for (const auto& [effect, seconds] : proof.without) {
+            std::printf(" %s %.0f %%", effect.c_str(),
+                        100.0 * (1.0 - seconds / proof.planned_seconds));
+        }
+        std::printf("\n");
+    }
+}
+
+nlohmann::ordered_json numbers_of(const std::vector<SceneProof>& proofs) {
+    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    for (const SceneProof& proof : proofs) {
+        nlohmann::ordered_json one{{"scene", proof.scene},
+                                   {"rays", all_rays(proof.planned)},
+                                   {"uncalled_rays", uncalled_rays(proof)},
+                                   {"different_pixels", proof.different_pixels},
+                                   {"planned_seconds", proof.planned_seconds},
+                                   {"everything_seconds", proof.everything_seconds}};
+        if (!std::isnan(proof.chapter_03_seconds)) {
+            one["chapter_03_seconds"] = proof.chapter_03_seconds;
+        }
+        for (const auto& [effect, seconds] : proof.without) {
+            one["seconds_without"][effect] = seconds;
+        }
+        numbers.push_back(one);
+    }
+    return numbers;
+}
+
+void draw_chart(const Command& command, const std::vector<SceneProof>& proofs) {
+    BarChart chart{.title = "Only what the scene calls for, and everything",
+                   .y_label = "seconds of the processor",
+                   .labels = {},
+                   .series = {{"planned", {}}, {"everything", {}}, {"chapter 03", {}}}};
+    for (const SceneProof& proof : proofs) {
+        chart.labels.push_back(proof.scene);
+        chart.series[0].values.push_back(proof.planned_seconds);
+        chart.series[1].values.push_back(proof.everything_seconds);
+        chart.series[2].values.push_back(proof.chapter_03_seconds);
+    }
+    const std::filesystem::path path = command.out / "proof.png";
+    write_bar_chart(path, chart);
+    std::printf("wrote     %s\n", path.string().c_str());
+}
+
+} // namespace
+
+bool prove_effects(const Command& command, const Proof& proof, const Quality& quality,
+                   const Parts& parts) {
+    std::vector<SceneProof> proofs;
+    const auto progress = show_progress("proving");
+    for (const std::string& scene : proof.scenes) {
+        proofs.push_back(prove(command, proof, quality, parts, scene));
+        progress(static_cast<double>(proofs.size()) / static_cast<double>(proof.scenes.size()));
+    }
+    print(proofs);
+    draw_chart(command, proofs);
+    deliver_numbers(command, numbers_of(proofs));
+    return std::all_of(proofs.begin(), proofs.end(), [](const SceneProof& one) {
+        return one.different_pixels == 0 && uncalled_rays(one) == 0;
+    });
+}
+
+} // namespace raysteps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "command/command.h"
+#include "effects/plan.h"
+#include "render/trace_rays.h"
+
+#include <string>
+
+namespace raysteps {
+
+// What chapter 09 asks for beside the options that all chapters share.
+struct EffectOptions {
+    std::string effects; // forced on and off
+    Quality quality;
+    int samples = 0; // rays a pixel; 0 is what the scene says
+    bool explain = false;
+};
+
+void add_effect_options(CLI::App& app, EffectOptions& options);
+
+// The scene with the samples of the options, where they say any.
+Scene with_samples(Scene scene, const EffectOptions& options);
+
+// Renders the scene with its plan, shows or writes it, and tells what it took.
+void render_effects(const Command& command, const EffectOptions& options, Context& context,
+                    const Scene& scene, const Parts& parts);
+
+} // namespace raysteps

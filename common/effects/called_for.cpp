@@ -1,0 +1,134 @@
+#include "effects/called_for.h"
+
+#include "effects/in_view.h"
+#include "effects/material_effects.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace raysteps {
+
+namespace {
+
+constexpr std::size_t most_names = 3;
+
+std::string counted(long count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// What the materials with that property are called and how many triangles they have; empty where no
+// triangle has such a material.
+std::string reason_of(const Scene& scene, const std::vector<int>& triangles,
+                      const std::function<bool(const Material&)>& has) {
+    std::string names;
+    std::size_t materials = 0;
+    long count = 0;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (triangles[i] == 0 || !has(scene.materials[i])) {
+            continue;
+        }
+        ++materials;
+        count += triangles[i];
+        if (materials <= most_names) {
+            names += (names.empty() ? "" : ", ") + scene.materials[i].name;
+        }
+    }
+    if (materials == 0) {
+        return "";
+    }
+    const std::string more = materials > most_names ? ", ..." : "";
+    return (materials == 1 ? "material "
+                           : counted(static_cast<long>(materials), "material") + " ") +
+           names + more + ", " + counted(count, "triangle");
+}
+
+class Calls {
+public:
+    void add(Effect effect, const std::string& reason) {
+        if (!reason.empty()) {
+            calls_.push_back({effect, reason});
+        }
+    }
+
+    bool has(Effect effect) const {
+        return std::any_of(calls_.begin(), calls_.end(),
+                           [&](const EffectCall& call) { return call.effect == effect; });
+    }
+
+    std::vector<EffectCall> in_order() {
+        std::sort(calls_.begin(), calls_.end(),
+                  [](const EffectCall& a, const EffectCall& b) { return a.effect < b.effect; });
+        return std::move(calls_);
+    }
+
+private:
+    std::vector<EffectCall> calls_;
+};
+
+long count_shining(const Scene& scene) {
+    return std::count_if(scene.lights.begin(), scene.lights.end(),
+                         [](const Light& light) { return light.color != glm::vec3(0.0f); });
+}
+
+void add_camera_effects(Calls& calls, const Scene& scene) {
+    const Camera& camera = scene.camera;
+    if (camera.samples > 1) {
+        calls.add(Effect::antialiasing,
+                  "the camera asks for " + std::to_string(camera.samples) + " rays a pixel");
+    }
+    if (camera.aperture > 0.0f) {
+        calls.add(Effect::depth_of_field, "the camera has a lens");
+    }
+    if (scene.sky) {
+        calls.add(Effect::sky, "the scene has a sky");
+    }
+}
+
+void add_light_effects(Calls& calls, const Scene& scene, const std::vector<int>& seen) {
+    const long lights = count_shining(scene);
+    if (lights == 0) {
+        return;
+    }
+    const std::string under = "; " + counted(lights, "light");
+    const auto lit = [&](Effect effect, const std::function<bool(const Material&)>& has) {
+        const std::string reason = reason_of(scene, seen, has);
+        calls.add(effect, reason.empty() ? "" : reason + under);
+    };
+    lit(Effect::diffuse, [](const Material& material) {
+        return transparency(material) < 1.0f && material.diffuse != glm::vec3(0.0f);
+    });
+    lit(Effect::highlights, has_highlight);
+    const bool shows_light = calls.has(Effect::diffuse) || calls.has(Effect::highlights);
+    if (!shows_light || triangle_count(scene) < 2) {
+        return;
+    }
+    calls.add(Effect::shadows, counted(lights, "light") + ", " +
+                                   counted(triangle_count(scene), "triangle") +
+                                   " that may stand before " + (lights == 1 ? "it" : "them"));
+    const long with_area = std::count_if(scene.lights.begin(), scene.lights.end(), has_area);
+    calls.add(Effect::soft_shadows,
+              with_area == 0 ? "" : counted(with_area, "light") + " with an area");
+    calls.add(Effect::glass_shadows,
+              reason_of(scene, triangles_of_materials(scene),
+                        [](const Material& material) { return is_glass(material); }));
+}
+
+} // namespace
+
+std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio) {
+    const std::vector<int> seen = triangles_in_view(scene, aspect_ratio);
+    Calls calls;
+    add_camera_effects(calls, scene);
+    add_light_effects(calls, scene, seen);
+    if (calls.has(Effect::diffuse)) {
+        calls.add(Effect::textures, reason_of(scene, seen, has_picture));
+    }
+    calls.add(Effect::mirrors, reason_of(scene, seen, [](const Material& material) {
+                  return is_mirror(material) && !is_glass(material);
+              }));
+    calls.add(Effect::refraction, reason_of(scene, seen, is_glass));
+    calls.add(Effect::absorption, reason_of(scene, seen, absorbs));
+    return calls.in_order();
+}
+
+} // namespace raysteps

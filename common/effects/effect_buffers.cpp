@@ -1,0 +1,119 @@
+#include "effects/effect_buffers.h"
+
+#include "effects/material_effects.h"
+#include "effects/picture_pyramid.h"
+#include "effects/scene_pictures.h"
+#include "error/error.h"
+
+#include <limits>
+
+namespace raysteps {
+
+namespace {
+
+// Adds an array to the buffers, and its size.
+template <class Texels>
+void add(EffectBuffers& buffers, const std::string& name, const Texels& texels) {
+    buffers.bytes += texels.size() * sizeof(texels[0]);
+    buffers.buffers.emplace(name, std::span(texels));
+}
+
+struct PackedPictures {
+    std::vector<glm::vec4> texels;
+    std::vector<glm::ivec4> pictures;
+};
+
+PackedPictures pack_pictures(const std::vector<Image>& pictures) {
+    PackedPictures packed;
+    for (const Image& picture : pictures) {
+        const std::vector<Image> levels = picture_pyramid(picture);
+        if (packed.texels.size() > std::numeric_limits<int>::max() / 2) {
+            throw InputError("The pictures of the scene have too many texels. Make them smaller, "
+                             "or leave them out with --effects -textures.");
+        }
+        packed.pictures.emplace_back(static_cast<int>(packed.texels.size()), picture.width,
+                                     picture.height, static_cast<int>(levels.size()));
+        for (const Image& level : levels) {
+            for (const glm::vec3& pixel : level.pixels) {
+                packed.texels.emplace_back(pixel, 0.0f);
+            }
+        }
+    }
+    return packed;
+}
+
+void add_pictures(EffectBuffers& buffers, const Scene& scene) {
+    const ScenePictures loaded = load_pictures(scene);
+    const PackedPictures packed = pack_pictures(loaded.pictures);
+    std::vector<glm::vec4> coordinates;
+    coordinates.reserve(scene.corners.size());
+    for (std::size_t i = 0; i < scene.corners.size(); ++i) {
+        coordinates.emplace_back(i < scene.texture_coordinates.size() ? scene.texture_coordinates[i]
+                                                                      : glm::vec2(0.0f),
+                                 0.0f, 0.0f);
+    }
+    const std::vector<std::int32_t> numbers(loaded.number_of_material.begin(),
+                                            loaded.number_of_material.end());
+    add(buffers, "triangle_coordinates", coordinates);
+    add(buffers, "picture_texels", packed.texels);
+    add(buffers, "pictures", packed.pictures);
+    add(buffers, "material_pictures", numbers);
+    buffers.messages = loaded.messages;
+}
+
+} // namespace
+
+std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& plan) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(3 * scene.materials.size());
+    for (const Material& material : scene.materials) {
+        const bool refracts = has(plan, Effect::refraction) && is_glass(material);
+        const bool reflects = has(plan, Effect::mirrors) && is_mirror(material);
+        const float opaque = refracts ? 1.0f - transparency(material) : 1.0f;
+        texels.emplace_back(opaque * material.diffuse, 0.0f);
+        texels.emplace_back(material.specular, refracts || reflects ? 1.0f : 0.0f);
+        texels.emplace_back(material.emission, 0.0f);
+    }
+    return texels;
+}
+
+std::vector<glm::vec4> pack_glass(const Scene& scene) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(2 * scene.materials.size());
+    for (const Material& material : scene.materials) {
+        texels.emplace_back(material.transmission, material.refractive_index);
+        texels.emplace_back(transparency(material), 0.0f, 0.0f, 0.0f);
+    }
+    return texels;
+}
+
+std::vector<glm::vec4> pack_gloss(const Scene& scene) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(scene.materials.size());
+    for (const Material& material : scene.materials) {
+        texels.emplace_back(material.specular, has_highlight(material) ? material.shininess : 0.0f);
+    }
+    return texels;
+}
+
+EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
+    EffectBuffers buffers;
+    if (needs_glass(plan)) {
+        add(buffers, "glass_texels", pack_glass(scene));
+    }
+    if (has(plan, Effect::highlights)) {
+        add(buffers, "gloss_texels", pack_gloss(scene));
+    }
+    if (has(plan, Effect::textures)) {
+        add_pictures(buffers, scene);
+    }
+    return buffers;
+}
+
+void bind(Program& program, const EffectBuffers& buffers) {
+    for (const auto& [name, buffer] : buffers.buffers) {
+        program.set(name, buffer);
+    }
+}
+
+} // namespace raysteps

@@ -1,0 +1,239 @@
+#include "reference/whitted_tree.h"
+
+#include "error/error.h"
+#include "parallel/on_threads.h"
+#include "reference/brute_force.h"
+#include "reference/clear_surface.h"
+#include "reference/reference_ray.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace raysteps {
+
+namespace {
+
+constexpr int deepest_recursion = 1000;
+constexpr double before_the_light = 1.0 - 1.0 / 65536.0; // the lamp's own surface is no obstacle
+
+void check_arguments(int width, int height, int max_bounces) {
+    if (width < 1 || height < 1) {
+        throw InputError("picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                         " pixels: it has none. Make both at least 1.");
+    }
+    if (max_bounces < 0 || max_bounces > deepest_recursion) {
+        throw InputError("max_bounces is " + std::to_string(max_bounces) + ". Use 0 to " +
+                         std::to_string(deepest_recursion) + ".");
+    }
+}
+
+glm::dvec3 sky_seen(const Scene& scene, const glm::dvec3& direction) {
+    if (!scene.sky) {
+        return scene.background;
+    }
+    const double height = glm::normalize(direction).y;
+    const glm::dvec3 horizon(scene.sky->horizon);
+    if (height > 0.0) {
+        return glm::mix(horizon, glm::dvec3(scene.sky->zenith), height);
+    }
+    return glm::mix(horizon, glm::dvec3(scene.sky->ground), std::min(1.0, -4.0 * height));
+}
+
+bool is_outer_side(const Scene& scene, const ReferenceRay& ray, const ReferenceHit& hit) {
+    const std::size_t first = 3 * static_cast<std::size_t>(hit.triangle);
+    const glm::dvec3 a(scene.corners[first]);
+    const glm::dvec3 b(scene.corners[first + 1]);
+    const glm::dvec3 c(scene.corners[first + 2]);
+    return glm::dot(glm::cross(b - a, c - a), ray.direction) <= 0.0;
+}
+
+glm::dvec3 point_behind(const Surface& surface) {
+    return surface.point - (surface.point_above - surface.point);
+}
+
+// What is left of the light's way to the surface: nothing behind an opaque thing.
+glm::dvec3 light_that_comes(const Scene& scene, const Surface& surface, const glm::dvec3& light) {
+    glm::dvec3 left(1.0);
+    glm::dvec3 origin = surface.point_above;
+    for (int i = 0; i < 64; ++i) {
+        const ReferenceRay ray{
+            .origin = origin, .direction = light - origin, .t_max = before_the_light};
+        const ReferenceHit hit = nearest_hit(ray, scene.corners);
+        if (hit.triangle == no_triangle) {
+            return left;
+        }
+        const Surface met = surface_at(scene, ray, hit);
+        const double clear = clear_part(*met.material);
+        if (clear == 0.0) {
+            return glm::dvec3(0.0);
+        }
+        const double cosine = -glm::dot(glm::normalize(ray.direction), met.geometric_normal);
+        left *=
+            clear * (1.0 - fresnel_by_angle(std::acos(std::min(cosine, 1.0)), 1.0,
+                                            static_cast<double>(met.material->refractive_index)));
+        if (!is_outer_side(scene, ray, hit)) {
+            left *= left_after(*met.material, hit.t * glm::length(ray.direction));
+        }
+        origin = point_behind(met);
+    }
+    return glm::dvec3(0.0);
+}
+
+glm::dvec3 lamp_light(const Scene& scene, const Surface& surface, const glm::dvec3& direction) {
+    const Material& material = *surface.material;
+    glm::dvec3 color(0.0);
+    for (const Light& light : scene.lights) {
+        const glm::dvec3 to_light = glm::dvec3(light.position) - surface.point;
+        if (glm::dot(surface.shading_normal, to_light) <= 0.0 ||
+            glm::dot(surface.geometric_normal, to_light) <= 0.0) {
+            continue;
+        }
+        const glm::dvec3 coming =
+            glm::dvec3(light.color) * light_that_comes(scene, surface, glm::dvec3(light.position));
+        const glm::dvec3 to = glm::normalize(to_light);
+        const glm::dvec3 diffuse = (1.0 - clear_part(material)) * glm::dvec3(material.diffuse);
+        color += coming * diffuse * glm::dot(surface.shading_normal, to);
+        if (material.illumination_model >= 2 && material.shininess > 0.0f) {
+            const glm::dvec3 halfway = glm::normalize(to - glm::normalize(direction));
+            const double cosine = std::max(0.0, glm::dot(surface.shading_normal, halfway));
+            color += coming * glm::dvec3(material.specular) *
+                     std::pow(cosine, static_cast<double>(material.shininess));
+        }
+    }
+    return color;
+}
+
+glm::dvec3 mirror_direction(const Surface& surface, const glm::dvec3& direction) {
+    const auto reflect_about = [&](const glm::dvec3& normal) {
+        return direction - 2.0 * glm::dot(normal, direction) * normal;
+    };
+    const glm::dvec3 reflected = reflect_about(surface.shading_normal);
+    return glm::dot(reflected, surface.geometric_normal) > 0.0
+               ? reflected
+               : reflect_about(surface.geometric_normal);
+}
+
+// By Snell's law, built from the angle: along the normal and across it.
+glm::dvec3 bent(const glm::dvec3& direction, const glm::dvec3& normal, double ratio) {
+    const double angle = std::acos(std::clamp(-glm::dot(direction, normal), 0.0, 1.0));
+    const double behind = std::asin(std::min(1.0, ratio * std::sin(angle)));
+    const glm::dvec3 aside = direction + normal * std::cos(angle);
+    const double length = glm::length(aside);
+    return length > 0.0 ? std::sin(behind) / length * aside - std::cos(behind) * normal : -normal;
+}
+
+class Tree {
+public:
+    Tree(const Scene& scene, const TreeLimits& limits) : scene_(scene), limits_(limits) {}
+
+    // The colour that comes back along the ray. The weight is what the ray counts for its pixel.
+    glm::dvec3 trace(const ReferenceRay& ray, const glm::dvec3& weight, const Bodies& inside,
+                     int bounces_left) const {
+        const ReferenceHit hit = nearest_hit(ray, scene_.corners);
+        if (hit.triangle == no_triangle) {
+            return sky_seen(scene_, ray.direction);
+        }
+        const glm::dvec3 kept =
+            inside.empty() ? glm::dvec3(1.0)
+                           : left_after(*inside.back(), hit.t * glm::length(ray.direction));
+        const Surface surface = surface_at(scene_, ray, hit);
+        glm::dvec3 color =
+            glm::dvec3(surface.material->emission) + lamp_light(scene_, surface, ray.direction);
+        if (bounces_left > 0 && clear_part(*surface.material) > 0.0) {
+            const bool outside = is_outer_side(scene_, ray, hit);
+            color += glass_light(ray, surface, weight * kept, inside, outside, bounces_left - 1);
+        } else if (bounces_left > 0 && is_mirror(*surface.material)) {
+            const ReferenceRay reflected{.origin = surface.point_above,
+                                         .direction = mirror_direction(surface, ray.direction)};
+            color += send(reflected, glm::dvec3(surface.material->specular), weight * kept, inside,
+                          bounces_left - 1);
+        }
+        return kept * color;
+    }
+
+private:
+    glm::dvec3 send(const ReferenceRay& ray, const glm::dvec3& part, const glm::dvec3& weight,
+                    const Bodies& inside, int bounces_left) const {
+        const glm::dvec3 counts = weight * part;
+        if (std::max({counts.x, counts.y, counts.z}) <= limits_.faintest) {
+            return glm::dvec3(0.0);
+        }
+        return part * trace(ray, counts, inside, bounces_left);
+    }
+
+    glm::dvec3 glass_light(const ReferenceRay& ray, const Surface& surface,
+                           const glm::dvec3& weight, const Bodies& inside, bool outside,
+                           int bounces_left) const {
+        const Passage way = passage(inside, surface.material, outside);
+        const double before = index_of(way.before);
+        const double behind = index_of(way.behind);
+        const glm::dvec3 direction = glm::normalize(ray.direction);
+        const bool turned = glm::dot(direction, surface.shading_normal) >= 0.0;
+        const glm::dvec3 normal = turned ? surface.geometric_normal : surface.shading_normal;
+        const double angle = std::acos(std::clamp(-glm::dot(direction, normal), 0.0, 1.0));
+        const double reflected_part = fresnel_by_angle(angle, before, behind);
+        const double clear = clear_part(*surface.material);
+
+        const ReferenceRay reflected{.origin = surface.point_above,
+                                     .direction = mirror_direction(surface, ray.direction)};
+        glm::dvec3 color =
+            send(reflected, glm::dvec3(clear * reflected_part), weight, way.before, bounces_left);
+        if (reflected_part < 1.0) {
+            glm::dvec3 on = before == behind ? direction : bent(direction, normal, before / behind);
+            on = glm::dot(on, surface.geometric_normal) >= 0.0 ? direction : on;
+            color +=
+                send({.origin = point_behind(surface), .direction = on},
+                     glm::dvec3(clear * (1.0 - reflected_part)), weight, way.behind, bounces_left);
+        }
+        return color;
+    }
+
+    const Scene& scene_;
+    TreeLimits limits_;
+};
+
+glm::dvec3 color_at(const Scene& scene, int width, int height, const TreeLimits& limits,
+                    double column, double row) {
+    return Tree(scene, limits)
+        .trace(reference_ray(scene.camera, width, height, column, row), glm::dvec3(1.0), {},
+               limits.max_bounces);
+}
+
+} // namespace
+
+Image render_tree(const Scene& scene, int width, int height, const TreeLimits& limits) {
+    check_arguments(width, height, limits.max_bounces);
+    Image image(width, height);
+    on_threads(all_cores, image.pixels.size(), [&](std::size_t i) {
+        const int column = static_cast<int>(i) % width;
+        const int row = static_cast<int>(i) / width;
+        image.pixels[i] = color_at(scene, width, height, limits, column, row);
+    });
+    return image;
+}
+
+std::vector<double> tree_sensitivity(const Scene& scene, int width, int height,
+                                     const TreeLimits& limits, double shift) {
+    check_arguments(width, height, limits.max_bounces);
+    std::vector<double> sensitivity(static_cast<std::size_t>(width) *
+                                    static_cast<std::size_t>(height));
+    on_threads(all_cores, sensitivity.size(), [&](std::size_t i) {
+        const int column = static_cast<int>(i) % width;
+        const int row = static_cast<int>(i) / width;
+        const auto beside = [&](double right, double down) {
+            return color_at(scene, width, height, limits, column + right, row + down);
+        };
+        const glm::dvec3 middle = beside(0.0, 0.0);
+        for (const glm::dvec3& color :
+             {beside(-shift, 0.0), beside(shift, 0.0), beside(0.0, -shift), beside(0.0, shift)}) {
+            const glm::dvec3 change = glm::abs(color - middle);
+            sensitivity[i] = std::max({sensitivity[i], change.x, change.y, change.z});
+        }
+    });
+    return sensitivity;
+}
+
+} // namespace raysteps

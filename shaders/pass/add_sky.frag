@@ -1,0 +1,28 @@
+#version 410 core
+// The sky, where a path leaves the scene.
+#include <real>
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/sky.glsl"
+#include "geometry/vector.glsl"
+#include "geometry/hit.glsl"
+#include "shading/sky.glsl"
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform usampler2D hits;
+uniform sampler2D weights;
+
+out vec4 color; // added to the picture
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (is_hit(unpack_hit(texelFetch(hits, pixel, 0)))) {
+        discard;
+    }
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    precise vec3 weighted = vec3(texelFetch(weights, pixel, 0)) * sky_color(ray.direction);
+    color = vec4(weighted, 0.0);
+}

@@ -1,0 +1,57 @@
+#version 410 core
+// A shadow ray that met glass goes straight on behind it, with less light. Where it leaves the
+// glass it has come through, what that absorbs is lost too.
+#include <real>
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/triangles.glsl"
+#include "layout/surfaces.glsl"
+#include "layout/glass.glsl"
+#include "layout/media.glsl"
+#include "geometry/vector.glsl"
+#include "geometry/hit.glsl"
+#include "geometry/leave_surface.glsl"
+#include "shading/surface.glsl"
+#include "shading/mirror.glsl"
+#include "shading/fresnel.glsl"
+#include "shading/absorption.glsl"
+#include "shading/glass.glsl"
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform usampler2D hits;
+uniform sampler2D shares;
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+layout(location = 2) out vec4 share;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    if (!is_hit(hit) || !is_glass(hit.triangle)) {
+        discard;
+    }
+    Surface surface = surface_at(ray, hit);
+    Glass glass = glass_of(material_number(hit.triangle));
+    bool outside = meets_outside(ray, hit);
+    real cosine =
+        clamp(-dot_product(unit(ray.direction), surface.geometric_normal), real(0.0), real(1.0));
+    // As if each body stood in air: by the same angle the light comes in and goes out.
+    vec3 kept = vec3(texelFetch(shares, pixel, 0)) * glass.transparency *
+                (1.0 - reflected_part(cosine, 1.0, glass.index));
+    if (!outside) {
+        kept *= transmitted(glass.transmission, travelled(ray, hit));
+    }
+    share = vec4(kept, 0.0);
+    Ray rest = ray;
+    rest.origin = origin_behind(surface, hit);
+    precise vec3 way = ray.origin + ray.direction - rest.origin; // t = 1 was the lamp
+    rest.direction = way;
+    ray_origin = pack_ray_origin(rest);
+    ray_direction = pack_ray_direction(rest);
+}

@@ -1,0 +1,28 @@
+#version 410 core
+// Depth of field: the pinhole's rays start on a lens instead.
+#include <real>
+#include "layout/ray.glsl"
+#include "layout/view.glsl"
+#include "layout/ray_texels.glsl"
+#include "geometry/vector.glsl"
+#include "geometry/samples.glsl"
+#include "geometry/lens.glsl"
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform View view;
+uniform float lens_radius;
+uniform float focus_distance;
+uniform int lens_sample;
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    SquarePoint place = point_of_disc(point_for_lens(lens_sample, pixel.x, pixel.y));
+    Ray moved = lens_ray(ray, view, lens_radius, focus_distance, place);
+    ray_origin = pack_ray_origin(moved);
+    ray_direction = pack_ray_direction(moved);
+}

@@ -1,0 +1,20 @@
+#version 410 core
+// Where a shadow ray meets nothing more, its share of the lamp's light is what is left.
+#include <real>
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/hit_texel.glsl"
+#include "geometry/hit.glsl"
+
+uniform usampler2D hits;
+uniform sampler2D shares;
+
+out vec4 share;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (is_hit(unpack_hit(texelFetch(hits, pixel, 0)))) {
+        discard;
+    }
+    share = texelFetch(shares, pixel, 0);
+}

@@ -1,0 +1,53 @@
+#version 410 core
+// Each ray that met glass goes on behind the surface; or is reflected, where that is total.
+#include <real>
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/triangles.glsl"
+#include "layout/surfaces.glsl"
+#include "layout/glass.glsl"
+#include "layout/media.glsl"
+#include "geometry/vector.glsl"
+#include "geometry/hit.glsl"
+#include "geometry/leave_surface.glsl"
+#include "shading/surface.glsl"
+#include "shading/mirror.glsl"
+#include "shading/fresnel.glsl"
+#include "shading/glass.glsl"
+
+uniform sampler2D ray_origins;
+uniform sampler2D ray_directions;
+uniform usampler2D hits;
+uniform sampler2D weights;
+uniform usampler2D media;
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+layout(location = 2) out vec4 weight;
+layout(location = 3) out uvec4 next_media;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
+    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    if (!is_glass(hit.triangle)) {
+        discard;
+    }
+    GlassMeeting meeting =
+        meet_glass(ray, hit, surface_at(ray, hit), texelFetch(media, pixel, 0));
+    bool total = meeting.reflected_part >= 1.0;
+    Ray next = meeting.refracted;
+    if (total) {
+        next = meeting.reflected;
+    }
+    ray_origin = pack_ray_origin(next);
+    ray_direction = pack_ray_direction(next);
+    precise vec3 kept = vec3(texelFetch(weights, pixel, 0)) *
+                        glass_of(material_number(hit.triangle)).transparency *
+                        (total ? 1.0 : 1.0 - meeting.reflected_part);
+    weight = vec4(kept, 0.0);
+    next_media = total ? meeting.media_before : meeting.media_behind;
+}

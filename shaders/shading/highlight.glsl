@@ -1,0 +1,13 @@
+// A glossy highlight: the nearer the normal is to halfway between the eye and the lamp, the
+// brighter. Source: Blinn, "Models of light reflection for computer synthesized pictures", 1977.
+
+real3 highlight(Surface surface, real3 direction, real3 light_position, real3 light_color,
+                Gloss gloss) {
+    real3 to_light = unit(light_position - surface.origin);
+    real3 halfway = to_light - unit(direction);
+    real cosine = dot_product(surface.normal, halfway) / sqrt(dot_product(halfway, halfway));
+    if (!(cosine > real(0.0f))) {
+        return real3(real(0.0f));
+    }
+    return pow(min(cosine, real(1.0f)), gloss.exponent) * gloss.color * light_color;
+}
