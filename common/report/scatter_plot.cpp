@@ -69,15 +69,19 @@ Axis y_axis(const ScatterPlot& plot) {
     return axis_over(lowest, highest, bottom, top);
 }
 
-// 1, 2 and 5 times each power of ten; of many powers, only these.
+// 1, 2 and 5 times each power of ten; of many powers, only these; of less than one, more.
 std::vector<double> ticks_of(const Axis& axis) {
     const double powers = std::log10(axis.highest / axis.lowest);
+    const std::vector<double> parts =
+        powers > 2.5   ? std::vector{1.0}
+        : powers > 0.8 ? std::vector{1.0, 2.0, 5.0}
+                       : std::vector{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
     std::vector<double> ticks;
     for (double power = std::floor(std::log10(axis.lowest)); power <= std::log10(axis.highest);
          power += 1.0) {
-        for (const double part : {1.0, 2.0, 5.0}) {
+        for (const double part : parts) {
             const double tick = part * std::pow(10.0, power);
-            if ((part == 1.0 || powers < 2.5) && tick >= axis.lowest && tick <= axis.highest) {
+            if (tick >= axis.lowest && tick <= axis.highest) {
                 ticks.push_back(tick);
             }
         }
