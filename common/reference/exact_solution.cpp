@@ -9,21 +9,11 @@ namespace {
 
 using Integer3 = std::array<Integer, 3>;
 
-// Every finite float is a whole multiple of 2^-149, the smallest one, so in this unit the whole
-// problem is one of integers, and rationals appear only where t, u and v are divided.
+// In units of the smallest float the whole problem is one of integers, and rationals appear only
+// where t, u and v are divided.
 constexpr int unit_exponent = -149;
 
-Integer in_units(float value) {
-    int exponent = 0;
-    const float mantissa = std::frexp(value, &exponent); // value = mantissa * 2^exponent
-    const auto digits = static_cast<std::int64_t>(std::ldexp(mantissa, 24));
-    const int shift = exponent - 24 - unit_exponent;
-    Integer units = digits;
-    // A subnormal float has fewer than 24 digits: what is shifted out is zero.
-    return shift >= 0 ? Integer(units << shift) : Integer(units / (Integer(1) << -shift));
-}
-
-Integer3 in_units(const glm::vec3& point) {
+Integer3 point_in_units(const glm::vec3& point) {
     return {in_units(point.x), in_units(point.y), in_units(point.z)};
 }
 
@@ -57,6 +47,16 @@ bool lies_within(const Fraction& t, float t_min, float t_max) {
 }
 
 } // namespace
+
+Integer in_units(float value) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent); // value = mantissa * 2^exponent
+    const auto digits = static_cast<std::int64_t>(std::ldexp(mantissa, 24));
+    const int shift = exponent - 24 - unit_exponent;
+    Integer units = digits;
+    // A subnormal float has fewer than 24 digits: what is shifted out is zero.
+    return shift >= 0 ? Integer(units << shift) : Integer(units / (Integer(1) << -shift));
+}
 
 bool is_less(const Fraction& a, const Fraction& b) {
     return a.numerator * b.denominator < b.numerator * a.denominator;
@@ -101,11 +101,11 @@ bool is_usable(const Ray& ray) {
 // The volumes that the direction spans with two corners each, seen from the origin, are in the
 // ratio of the barycentric weights (Plücker; as in Shoemake, "Plücker coordinate tutorial", 1998).
 ExactSolution solve_exactly(const Ray& ray, const std::array<glm::vec3, 3>& corners) {
-    const Integer3 origin = in_units(ray.origin);
-    const Integer3 direction = in_units(ray.direction);
-    const Integer3 a = difference(in_units(corners[0]), origin);
-    const Integer3 b = difference(in_units(corners[1]), origin);
-    const Integer3 c = difference(in_units(corners[2]), origin);
+    const Integer3 origin = point_in_units(ray.origin);
+    const Integer3 direction = point_in_units(ray.direction);
+    const Integer3 a = difference(point_in_units(corners[0]), origin);
+    const Integer3 b = difference(point_in_units(corners[1]), origin);
+    const Integer3 c = difference(point_in_units(corners[2]), origin);
     const Integer3 normal = cross(difference(b, a), difference(c, a));
     const Integer determinant = dot(normal, direction);
     if (determinant == 0) {

@@ -17,6 +17,9 @@ struct Fraction {
     Integer denominator = 1;
 };
 
+// The float, which is finite, in units of 2^-149, the smallest one: a whole number.
+Integer in_units(float value);
+
 // Whether a < b.
 bool is_less(const Fraction& a, const Fraction& b);
 

@@ -1,0 +1,163 @@
+#include "make_report.h"
+
+#include "accuracy/knobs.h"
+#include "accuracy/page.h"
+#include "accuracy/run_knob.h"
+#include "accuracy/scene_needs.h"
+#include "accuracy/tables.h"
+#include "circumstances.h"
+#include "command/deliver.h"
+#include "command/progress.h"
+#include "error/error.h"
+#include "file/read_file.h"
+#include "file/write_file.h"
+#include "image/write_png.h"
+#include "numbers.h"
+#include "structure/reach.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace raysteps {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes_of_picture = 64U << 20U;
+
+// Exact truth takes a time for each ray and triangle; a family keeps so many rays at least.
+constexpr std::size_t most_decisions = 400'000'000;
+constexpr std::size_t fewest_rays = 1024;
+
+std::vector<KnobMaker> chosen_knobs(const std::vector<std::string>& names) {
+    std::vector<KnobMaker> chosen;
+    for (const KnobMaker& maker : knob_makers()) {
+        if (names.empty() || std::find(names.begin(), names.end(), maker.name) != names.end()) {
+            chosen.push_back(maker);
+        }
+    }
+    for (const std::string& name : names) {
+        if (std::none_of(chosen.begin(), chosen.end(),
+                         [&](const KnobMaker& maker) { return maker.name == name; })) {
+            throw InputError("--knobs " + name + ": there is no such choice. Take some of " +
+                             knob_names() + ".");
+        }
+    }
+    return chosen;
+}
+
+// As many rays as a large scene leaves time for.
+Effort affordable(Effort effort, const Subject& mesh) {
+    const auto triangles = static_cast<std::size_t>(std::max(1, triangle_count(mesh.scene)));
+    const std::size_t rays = std::max(fewest_rays, most_decisions / triangles);
+    effort.judged_rays = std::min(effort.judged_rays, rays);
+    effort.timed_rays = std::min(effort.timed_rays, effort.judged_rays);
+    return effort;
+}
+
+std::string file_name_of(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; }, '_');
+    return text;
+}
+
+// The pictures as files, and their bytes for the page.
+std::vector<PagePicture> write_pictures(const Command& command, const KnobResult& result) {
+    std::vector<PagePicture> pictures;
+    for (const KnobPicture& picture : result.pictures) {
+        const std::filesystem::path path =
+            command.out / "pictures" / (file_name_of(result.name + " " + picture.caption) + ".png");
+        write_png(path, picture.image);
+        pictures.push_back({result.name, picture.caption, read_file(path, most_bytes_of_picture)});
+    }
+    return pictures;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    write_file(path, text);
+    std::cout << "wrote     " << path.string() << "\n";
+}
+
+void print_advice(const std::vector<Advice>& advice) {
+    std::cout << "\nWhat to take (no rank among those named together)\n";
+    for (const Advice& one : advice) {
+        std::cout << "  " << one.knob << ", " << one.need << " (" << one.condition << "):";
+        for (std::size_t i = 0; i < one.methods.size(); ++i) {
+            std::cout << (i == 0 ? " " : "; ") << one.methods[i];
+        }
+        std::cout << (one.methods.empty() ? " none of these\n" : "\n");
+    }
+}
+
+} // namespace
+
+Effort full_effort() {
+    Effort effort;
+    effort.judged_rays = 131072;
+    effort.timed_rays = 16384;
+    effort.rounds = 15;
+    effort.picture_size = 192;
+    effort.finest_grid = 1024;
+    effort.most_samples = 4;
+    return effort;
+}
+
+std::string knob_names() {
+    std::string names;
+    for (const KnobMaker& maker : knob_makers()) {
+        names += (names.empty() ? "" : ", ") + maker.name;
+    }
+    return names;
+}
+
+void refuse_window(const Command& command) {
+    if (command.window) {
+        throw InputError("--window: the report of chapter 08 is a page. Leave the option out, and "
+                         "open accuracy.html in a browser.");
+    }
+}
+
+void make_report(const Command& command, const ReportRequest& request) {
+    const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
+    Scene scene = open_scene(command);
+    const auto context = open_context(command);
+    KnobRequest knobs{nullptr, nullptr, request.effort};
+    knobs.effort.limits = measure_limits();
+    knobs.effort.seed = request.seed;
+    knobs.effort.rounds = request.rounds;
+    const SceneNeeds needs = find_needs(scene);
+    const float reach = reach_of(scene.camera.eye, scene.corners);
+    knobs.scene = make_subject(std::move(scene), reach);
+    const bool aim_at_scene = request.own_scene && needs.triangles > needs.without_area;
+    knobs.mesh = aim_at_scene ? knobs.scene : usual_subject();
+    knobs.effort = affordable(knobs.effort, *knobs.mesh);
+
+    AccuracyReport report{.scene = command.scene,
+                          .circumstances = circumstances_of(knobs.effort),
+                          .scene_needs = to_sentences(needs)};
+    std::vector<PagePicture> pictures;
+    for (const KnobMaker& maker : makers) {
+        const Knob knob = maker.make(knobs);
+        report.results.push_back(run_knob(knob, request.rounds, clock_of_renderer(),
+                                          show_progress("comparing " + maker.name)));
+        const KnobResult& result = report.results.back();
+        std::cout << to_table(result) << std::flush;
+        for (Advice& advice : advise(result)) {
+            report.advice.push_back(std::move(advice));
+        }
+        for (PagePicture& picture : write_pictures(command, result)) {
+            pictures.push_back(std::move(picture));
+        }
+    }
+    print_advice(report.advice);
+    std::cout << "\nWhat " << command.scene << " needs\n";
+    for (const std::string& sentence : report.scene_needs) {
+        std::cout << "  " << sentence << "\n";
+    }
+    write(command.out / "accuracy.csv", to_csv(report.results));
+    write(command.out / "accuracy.json", to_json(report).dump(2) + "\n");
+    write(command.out / "accuracy.html", to_html(report, pictures));
+    deliver_numbers(command, to_json(report));
+}
+
+} // namespace raysteps

@@ -1,0 +1,47 @@
+#include "accuracy/precision_knob.h"
+
+#include "accuracy/subject.h"
+#include "accuracy/trace_trials.h"
+#include "scene/mesh.h"
+#include "scene/shapes.h"
+#include "structure/reach.h"
+
+namespace raysteps {
+
+Knob precision_knob(const Effort& effort) {
+    const auto scene = std::make_shared<const Scene>(
+        add_mesh({}, sphere({0.3f, -0.2f, 0.1f}, 1.0f, 8), Material{}));
+    std::vector<RayFamily> families;
+    float reach = 0.0f;
+    for (RayFamily& family : aim_at(scene->corners, effort.judged_rays, effort.seed)) {
+        if (family.name != "leaving" && family.name != "axis" && family.name != "inside") {
+            reach = std::max(reach, reach_of(family.rays, scene->corners));
+            families.push_back(std::move(family));
+        }
+    }
+    const auto textures = build_textures(*scene, "bvh_ordered", reach, {});
+    const std::string walk = "structure/bvh_ordered.glsl";
+    const std::string exact = "geometry/triangle_watertight.glsl";
+    const std::string rounded = "geometry/triangle_watertight_rounded.glsl";
+    const std::vector<TraceMethod> methods{
+        {"float", {{"structure", walk}, {"triangle", rounded}}, textures},
+        {"float, exact areas", {{"structure", walk}, {"triangle", exact}}, textures},
+        {"double",
+         {{"structure", walk}, {"triangle", rounded}, {"real", "layout/double_precision.glsl"}},
+         textures}};
+    Knob knob;
+    knob.name = "precision";
+    knob.question = "What does a kernel in double precision bring? A walk through a BVH of 1,280 "
+                    "triangles.";
+    knob.unit_of_cases = "ray";
+    knob.unit_of_error = "t, in ulp";
+    for (Trial& trial :
+         trace_trials(methods, with_truth(std::move(families), scene->corners, effort),
+                      scene->corners, effort)) {
+        trial.examine = [examine = std::move(trial.examine), scene] { return examine(); };
+        knob.trials.push_back(std::move(trial));
+    }
+    return knob;
+}
+
+} // namespace raysteps

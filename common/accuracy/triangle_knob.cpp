@@ -1,0 +1,62 @@
+#include "accuracy/triangle_knob.h"
+
+#include "accuracy/trace_trials.h"
+
+namespace raysteps {
+
+namespace {
+
+const std::string in_double = "layout/double_precision.glsl";
+
+Parts with_test(const std::string& file) {
+    return {{"triangle", "geometry/" + file + ".glsl"}};
+}
+
+Parts with_test_in_double(const std::string& file) {
+    return {{"triangle", "geometry/" + file + ".glsl"}, {"real", in_double}};
+}
+
+} // namespace
+
+const std::vector<TriangleMethod>& triangle_methods() {
+    static const std::vector<TriangleMethod> all{
+        {"paper, culling", with_test("triangle_paper_culling")},
+        {"paper, 1e-6", with_test("triangle_paper_two_sided")},
+        {"paper, repaired", with_test("triangle_paper_repaired")},
+        {"Moeller-Trumbore", with_test("triangle_moeller_trumbore")},
+        {"Moeller-Trumbore, double", with_test_in_double("triangle_moeller_trumbore")},
+        {"Pluecker", with_test("triangle_pluecker")},
+        {"Baldwin-Weber", with_test("precomputed_triangle")},
+        {"watertight, rounded", with_test("triangle_watertight_rounded")},
+        {"watertight, fallback", with_test("triangle_watertight_fallback")},
+        {"watertight, exact areas", with_test("triangle_watertight")},
+        {"watertight, double", with_test_in_double("triangle_watertight_rounded")}};
+    return all;
+}
+
+Knob triangle_knob(const std::shared_ptr<const Subject>& subject, const Effort& effort) {
+    std::vector<TraceMethod> methods;
+    for (const TriangleMethod& method : triangle_methods()) {
+        Parts parts = method.parts;
+        parts["structure"] = subject->structure;
+        methods.push_back({method.name, std::move(parts), subject->textures});
+    }
+    const std::span<const glm::vec3> corners = subject->scene.corners;
+    const auto families =
+        with_truth(aim_at(corners, effort.judged_rays, effort.seed), corners, effort);
+    Knob knob;
+    knob.name = "triangle";
+    knob.question = "Where does a ray meet a triangle? On " + subject->scene.name + ".";
+    knob.source =
+        "Published: watertight against Moeller-Trumbore, about as fast on GPUs and 1 to 3 % "
+        "slower on CPUs (Woop, Benthin and Wald 2013, as measured by its authors).";
+    knob.unit_of_cases = "ray";
+    knob.unit_of_error = "t, in ulp";
+    knob.trials = trace_trials(methods, families, corners, effort);
+    for (Trial& trial : knob.trials) { // the corners live in the subject
+        trial.examine = [examine = std::move(trial.examine), subject] { return examine(); };
+    }
+    return knob;
+}
+
+} // namespace raysteps

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "accuracy/effort.h"
+#include "accuracy/knob.h"
+#include "accuracy/subject.h"
+#include "gpu/read_shader.h"
+
+namespace raysteps {
+
+// A triangle test: what fills the slots <triangle> and <real>.
+struct TriangleMethod {
+    std::string name;
+    Parts parts;
+};
+
+const std::vector<TriangleMethod>& triangle_methods();
+
+// All triangle tests, on families of rays at the subject (accuracy/aimed_rays.h).
+Knob triangle_knob(const std::shared_ptr<const Subject>& subject, const Effort& effort);
+
+} // namespace raysteps

@@ -1,0 +1,25 @@
+#include "structure/bvh_pack.h"
+#include "structure/half_bvh.h"
+#include "structure/structure_family.h"
+
+namespace raysteps {
+
+StructureFamily family_bvh(); // defined in family_bvh.cpp
+
+// Serves structure/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer bits.
+StructureFamily family_half_bvh() {
+    const StructureFamily whole = family_bvh();
+    return {"half_bvh", whole.options,
+            [build = whole.build](std::span<const glm::vec3> corners, const BuildRequest& request) {
+                BuiltStructure built = build(corners, request);
+                built.packed = with_half_boxes(built.packed);
+                for (Fact& fact : built.facts) {
+                    if (fact.name == "memory_bytes") {
+                        fact.value = static_cast<double>(bytes_of(built.packed));
+                    }
+                }
+                return built;
+            }};
+}
+
+} // namespace raysteps

@@ -1,0 +1,22 @@
+// The slab test of the walks through hierarchies: planes chosen by the direction, (plane - origin)
+// * inverse, no room for rounding.
+#include "geometry/box_ray.glsl"
+#include "geometry/box_plain.glsl"
+#include "geometry/near_planes.glsl"
+
+struct SlabRay {
+    BoxRay ray;
+    real t_max;
+};
+
+SlabRay prepare_slab_ray(Ray ray) {
+    SlabRay prepared;
+    prepared.ray = box_ray(ray);
+    prepared.t_max = ray.t_max;
+    return prepared;
+}
+
+bool meets_slabs(SlabRay slabs, real3 lower, real3 upper) {
+    return meets_box(slabs.ray, near_planes(slabs.ray, lower, upper),
+                     near_planes(slabs.ray, upper, lower), slabs.t_max);
+}

@@ -1,0 +1,38 @@
+#version 410 core
+// A ray that leaves each hit in a direction given: how it gets off the surface is a part.
+#include <real>
+#include "layout/far.glsl"
+#include "layout/ray.glsl"
+#include "layout/hit.glsl"
+#include "layout/ray_texels.glsl"
+#include "layout/hit_texel.glsl"
+#include "layout/triangles.glsl"
+#include "layout/surface_point.glsl"
+#include "geometry/vector.glsl"
+#include <offset>
+
+uniform usampler2D hits;
+uniform sampler2D leaving_directions; // with a positive share along the normal of the triangle
+
+layout(location = 0) out vec4 ray_origin;
+layout(location = 1) out vec4 ray_direction;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    SurfacePoint from;
+    from.a = triangle_corner(hit.triangle, 0);
+    from.b = triangle_corner(hit.triangle, 1);
+    from.c = triangle_corner(hit.triangle, 2);
+    precise real3 point = from.a + hit.u * (from.b - from.a) + hit.v * (from.c - from.a);
+    from.point = point;
+    from.normal = unit(cross_product(from.b - from.a, from.c - from.a));
+
+    Ray ray;
+    ray.origin = leaving_point(from);
+    ray.direction = real3(texelFetch(leaving_directions, pixel, 0));
+    ray.t_min = real(leaving_t_min);
+    ray.t_max = hit.triangle >= 0 ? real(farthest) : -real(1.0f);
+    ray_origin = pack_ray_origin(ray);
+    ray_direction = pack_ray_direction(ray);
+}
