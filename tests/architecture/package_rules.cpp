@@ -23,7 +23,7 @@ const std::vector<PackageRule> package_rules{
     {"toml++/", {"common/scene/toml_"}},
     {"stb_", {"common/image/"}},
     {"CLI/", {"common/command/"}},
-    {"nlohmann/", {"common/command/", "tests/"}},
+    {"nlohmann/", {"common/command/", "common/course/", "tests/"}},
     {"boost/", {"common/reference/", "tests/"}},
     {"embree3/", {"common/embree/there/"}},
     {"embree4/", {"common/embree/there/"}},
