@@ -15,8 +15,9 @@ namespace raysteps {
 // Four numbers as bits; what they are is the checkpoint's own affair.
 using Found = std::array<std::uint32_t, 4>;
 
-// What was asked, and for each step what each of the rays found. Of the rays of a picture: step 1
-// has origin and t_min, step 2 direction and t_max. Of a picture nothing: it lies in a file.
+// What was asked, and for each step what each of the rays found. Where the rays of a picture are
+// the answer, there are none that were asked: step 1 has origin and t_min, step 2 direction and
+// t_max. A picture lies in a file.
 struct Answer {
     std::vector<Ray> rays;
     std::vector<std::vector<Found>> steps;

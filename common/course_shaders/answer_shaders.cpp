@@ -134,8 +134,8 @@ Answer answer_rays(const Question& question) {
     const RayTextures rays = generate_rays(
         scene.camera, question.width, question.height,
         question.subject == "interpolated" ? RayGeneration::interpolated : RayGeneration::direct);
-    Answer answer{read_rays(rays), {{}, {}}};
-    for (const Ray& ray : answer.rays) {
+    Answer answer{{}, {{}, {}}};
+    for (const Ray& ray : read_rays(rays)) {
         const auto bits = [](const glm::vec3& point, float number) {
             return Found{
                 std::bit_cast<std::uint32_t>(point.x), std::bit_cast<std::uint32_t>(point.y),

@@ -73,5 +73,6 @@ def first_unknown(answer, checkpoint):
                     for (_, kind), value in zip(checkpoint.values, known["expected"])]
         values = judged(expected, got, checkpoint)
         if len(expected) != len(checkpoint.values) or not all(value["right"] for value in values):
-            return Wrong(index, step, answer.rays[index], values, known["because"])
+            ray = answer.rays[index] if answer.rays else []
+            return Wrong(index, step, ray, values, known["because"])
     return None

@@ -1,5 +1,8 @@
 """What a check found, in words and as JSON."""
 
+import math
+import os
+
 from .check import FAILED, MISSING, NOT_STARTED, PASSED
 from .exercises import from_bits
 
@@ -8,7 +11,15 @@ NAMES = ("origin", "direction", "t_min", "t_max")
 
 def number(value):
     """Nine digits give a number of single precision back, bit for bit."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     return f"{value:.9g}" if isinstance(value, float) else str(value)
+
+
+def _for_json(value):
+    """JSON has no infinity and no number that is none: those are words."""
+    is_none = isinstance(value, float) and not math.isfinite(value)
+    return number(value) if is_none else value
 
 
 def ray_text(ray):
@@ -19,7 +30,7 @@ def ray_text(ray):
 def replay(result):
     """The command that asks this ray alone; empty where there is none."""
     is_ray = result.wrong and result.checkpoint.question["kind"] == "checkpoint"
-    return (f"./course check {result.exercise.number} --ray {ray_text(result.wrong.ray)}"
+    return (f"./course check {result.exercise.number} --ray={ray_text(result.wrong.ray)}"
             if is_ray else "")
 
 
@@ -33,12 +44,13 @@ def as_json(result):
         found["checkpoint"] = result.checkpoint.name
     if wrong:
         found["step"] = wrong.step
-        found["values"] = [{**value, "expected": number(value["expected"]), "got": number(value["got"])}
+        found["values"] = [{**value, "expected": _for_json(value["expected"]),
+                           "got": _for_json(value["got"])}
                            for value in wrong.values]
         if wrong.because:
             found["known_because"] = wrong.because
         if wrong.ray:
-            found["ray"] = {"decimal": [number(from_bits(word)) for word in wrong.ray],
+            found["ray"] = {"decimal": [_for_json(from_bits(word)) for word in wrong.ray],
                             "hex": [f"{word:08x}" for word in wrong.ray]}
     if replay(result):
         found["replay"] = replay(result)
@@ -95,9 +107,10 @@ def as_text(result):
         lines += _wrong_lines(result)
     pictures = result.pictures
     if pictures and result.state != PASSED:
-        lines.append(f"  pictures   {pictures['yours']}")
-        lines.append(f"             {pictures['reference']}")
-        lines.append(f"             {pictures['compared']} (both, and their difference)")
+        yours, reference, compared = (os.path.relpath(pictures[name])
+                                      for name in ("yours", "reference", "compared"))
+        lines += [f"  pictures   {yours}", f"             {reference}",
+                  f"             {compared} (both, and their difference)"]
         if "first_wrong_pixel" in pictures:
             column, row = pictures["first_wrong_pixel"]
             lines.append(f"  pixel      column {column}, row {row} from above is the first of "
