@@ -1,9 +1,18 @@
 # add_module(NAME [USES module...] [PACKAGES target...] [PRIVATE_PACKAGES target...])
 # Makes the library of the folder common/NAME from all its .cpp files. USES names the modules that
 # its includes may name (docs/architecture.md, "Who may include whom"); it can link nothing else.
+# Files of RAYSTEPS_WORKBOOK take the place of their namesakes, and come first for the compiler.
 function(add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES;PRIVATE_PACKAGES")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(RAYSTEPS_WORKBOOK)
+    file(GLOB own RELATIVE ${RAYSTEPS_WORKBOOK}/common/${name} CONFIGURE_DEPENDS
+      ${RAYSTEPS_WORKBOOK}/common/${name}/*.cpp)
+    foreach(file IN LISTS own)
+      list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+      list(APPEND sources ${RAYSTEPS_WORKBOOK}/common/${name}/${file})
+    endforeach()
+  endif()
   list(TRANSFORM arg_USES PREPEND raysteps::)
   if(sources)
     add_library(raysteps_${name} STATIC ${sources})
@@ -14,6 +23,10 @@ function(add_module name)
     set(scope INTERFACE)
   endif()
   add_library(raysteps::${name} ALIAS raysteps_${name})
+  if(RAYSTEPS_WORKBOOK)
+    target_include_directories(raysteps_${name} BEFORE ${scope}
+      ${RAYSTEPS_WORKBOOK}/common ${RAYSTEPS_WORKBOOK}/shaders)
+  endif()
   target_include_directories(raysteps_${name} ${scope}
     ${PROJECT_SOURCE_DIR}/common ${PROJECT_SOURCE_DIR}/shaders)
   target_link_libraries(raysteps_${name} ${scope} ${arg_USES} ${arg_PACKAGES})

@@ -1,6 +1,7 @@
 #include "gpu/read_shader.h"
 
 #include "error/error.h"
+#include "gpu/shader_path.h"
 
 #include <fstream>
 #include <regex>
@@ -33,8 +34,9 @@ public:
             throw MachineError(to_string(from) + ": `" + file +
                                "` is included in a circle. Remove one of the includes.");
         }
-        std::ifstream stream(folder_ / file);
-        if (!stream || std::filesystem::is_directory(folder_ / file)) {
+        const std::filesystem::path path = find_shader(file, folder_);
+        std::ifstream stream(path);
+        if (!stream || std::filesystem::is_directory(path)) {
             throw MachineError(to_string(from) + ": the shader file `" + file +
                                "` cannot be read in " + folder_.string() +
                                ". Check its name, or get it back from the repository.");

@@ -1,6 +1,7 @@
 #include "gpu/shader_catalog.h"
 
 #include "error/error.h"
+#include "gpu/shader_path.h"
 
 #include <algorithm>
 #include <fstream>
@@ -25,7 +26,7 @@ std::vector<std::filesystem::path> list_files(const std::string& extension) {
 
 std::vector<std::string> slots_of(const std::string& pass) {
     static const std::regex include(R"(^\s*#\s*include\s*<([^>]+)>.*$)");
-    std::ifstream stream(shader_folder() / pass);
+    std::ifstream stream(find_shader(pass, shader_folder()));
     std::vector<std::string> slots;
     std::string line;
     while (std::getline(stream, line)) {

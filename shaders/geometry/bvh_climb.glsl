@@ -12,10 +12,15 @@ struct BvhChildren {
 
 BvhChildren bvh_children(BoxRay ray, int place, int link) {
     int second = (-1 - link) >> 2;
+    //# exercise 6.3: the near child
     bool turned = descends(ray, (-1 - link) & 3);
     BvhChildren children;
     children.near = turned ? second : place + 1;
     children.far = turned ? place + 1 : second;
+    //# stub: BvhChildren children;
+    //# stub: children.near = place + 1;
+    //# stub: children.far = second;
+    //# end
     return children;
 }
 
@@ -32,9 +37,12 @@ BvhClimb climb_bvh(BoxRay ray, int place) {
     climb.left = true;
     if (parent >= 0) {
         BvhChildren children = bvh_children(ray, parent, bvh_link(parent));
+        //# exercise 6.4: up, and across to the far child
         bool was_near = place == children.near;
         climb.node = was_near ? children.far : parent;
         climb.left = !was_near;
+        //# stub: climb.node = no_bvh_node;
+        //# end
     }
     return climb;
 }

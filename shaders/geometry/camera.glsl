@@ -2,7 +2,10 @@
 // Its direction is not normalised: t counts depths of the view rectangle, not lengths.
 
 Ray primary_ray(View view, real s, real t) {
+    //# exercise 1.1: the direction through a point of the view
     precise real3 direction = view.lower_left + s * view.right + t * view.up;
+    //# stub: real3 direction = view.lower_left;
+    //# end
     Ray ray;
     ray.origin = view.eye;
     ray.direction = direction;

@@ -40,6 +40,7 @@ int cell_at(Ray ray, int axis, real t) {
     int last = grid_cells[axis] - 1;
     bool downwards = ray.direction[axis] < real(0.0f);
     int low = 0;
+    //# exercise 4.2: the first cell
     int high = last;
     while (low < high) {
         int middle = (low + high) / 2;
@@ -49,6 +50,8 @@ int cell_at(Ray ray, int axis, real t) {
             high = middle;
         }
     }
+    //# stub: low = 0;
+    //# end
     return downwards ? last - low : low;
 }
 
@@ -66,10 +69,13 @@ GridPart part_in_grid(Ray ray) {
         int last = grid_cells[axis];
         bool up = goes_up(ray, axis);
         if (goes_along(ray, axis)) {
+            //# exercise 4.1: the part of a ray in the grid
             real enters = crossing(ray, axis, up ? 0 : last);
             real leaves = crossing(ray, axis, up ? last : 0);
             part.start = enters > part.start ? enters : part.start;
             part.end = leaves < part.end ? leaves : part.end;
+            //# stub: part.end = -real(farthest);
+            //# end
         } else if (ray.origin[axis] < plane_of_grid(axis, 0) ||
                    ray.origin[axis] > plane_of_grid(axis, last)) {
             part.start = real(farthest);

@@ -26,9 +26,12 @@ Walk start_walk(Ray ray) {
 
 // The axis of the least of the three, the first of them where some are equal.
 int first_axis(real3 t) {
+    //# exercise 4.3: the plane that comes first
     int x_or_z = t.x <= t.z ? 0 : 2;
     int y_or_z = t.y <= t.z ? 1 : 2;
     return t.x <= t.y ? x_or_z : y_or_z;
+    //# stub: return 0;
+    //# end
 }
 
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
@@ -63,6 +66,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
             }
         } else {
             int axis = first_axis(leaves);
+            //# exercise 4.4: the step to the next cell
             // A ray that goes along no axis, or is not a number, ends here as well.
             ended = nearest.t < leaves[axis] || !(leaves[axis] < real(farthest));
             bool up = goes_up(ray, axis);
@@ -77,6 +81,8 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
                 end = grid_start(number + 1);
                 observe_visit(number);
             }
+            //# stub: ended = true;
+            //# end
         }
     }
     walk.nearest = nearest;

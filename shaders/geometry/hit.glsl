@@ -15,6 +15,9 @@ bool is_hit(Hit hit) {
 }
 
 bool is_nearer(Hit hit, Hit best) {
+    //# exercise 2.4: which of two hits wins
     bool wins_tie = hit.t == best.t && (!is_hit(best) || hit.triangle < best.triangle);
     return is_hit(hit) && (hit.t < best.t || wins_tie);
+    //# stub: return false;
+    //# end
 }

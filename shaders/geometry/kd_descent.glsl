@@ -28,11 +28,14 @@ KdPart part_in_tree(Ray ray) {
         if (ray.direction[axis] == real(0.0f)) {
             outside = outside || origin < lower || origin > upper;
         } else {
+            //# exercise 5.1: the part of a ray in the tree
             bool ascends = ray.direction[axis] > real(0.0f);
             real near = plane_distance(ascends ? lower : upper, ray, axis);
             real far = plane_distance(ascends ? upper : lower, ray, axis);
             part.entry = near > part.entry ? near : part.entry;
             part.exit = far < part.exit ? far : part.exit;
+            //# stub: outside = true;
+            //# end
         }
     }
     if (outside) {
@@ -65,6 +68,7 @@ KdStep step_down(KdNode node, Ray ray, real t, real exit) {
         taken.child = ray.origin[node.axis] <= node.split ? lower : upper;
         return taken;
     }
+    //# exercise 5.2: one step down
     int first = direction > real(0.0f) ? lower : upper;
     int second = direction > real(0.0f) ? upper : lower;
     real t_split = plane_distance(node.split, ray, node.axis);
@@ -73,6 +77,8 @@ KdStep step_down(KdNode node, Ray ray, real t, real exit) {
         taken.other = second;
         taken.exit = t_split;
     }
+    //# stub: taken.child = lower;
+    //# end
     return taken;
 }
 

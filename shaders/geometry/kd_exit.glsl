@@ -15,12 +15,15 @@ KdExit box_exit(int place, Ray ray) {
     exit.face = -1;
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.direction[axis] != real(0.0f)) {
+            //# exercise 5.3: the face through which a ray leaves
             bool ascends = ray.direction[axis] > real(0.0f);
             real t = plane_distance(ascends ? upper[axis] : lower[axis], ray, axis);
             if (t < exit.t) {
                 exit.t = t;
                 exit.face = ascends ? 2 * axis + 1 : 2 * axis;
             }
+            //# stub: exit.face = -1;
+            //# end
         }
     }
     return exit;

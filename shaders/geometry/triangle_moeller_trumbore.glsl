@@ -19,14 +19,23 @@ Hit intersect_triangle(PreparedRay prepared, real3 a, real3 b, real3 c, int tria
     real3 p = cross_product(ray.direction, e2);
     real det = dot_product(p, e1);
 
+    //# exercise 2.2: where the ray meets the plane
     real3 to_origin = ray.origin - a;
     real3 q = cross_product(to_origin, e1);
     precise real u = dot_product(p, to_origin) / det;
     precise real v = dot_product(q, ray.direction) / det;
     precise real t = dot_product(q, e2) / det;
+    //# stub: real u = -real(1.0f);
+    //# stub: real v = -real(1.0f);
+    //# stub: real t = real(0.0f);
+    //# end
 
+    //# exercise 2.3: which hits count
     bool inside = u >= real(0.0f) && v >= real(0.0f) && u + v <= real(1.0f);
     bool on_ray = t >= ray.t_min && t <= ray.t_max;
+    //# stub: bool inside = false;
+    //# stub: bool on_ray = false;
+    //# end
 
     Hit hit;
     hit.t = t;

@@ -12,6 +12,9 @@ out vec3 corner_direction;
 void main() {
     float s = float(gl_VertexID & 1);
     float t = float(gl_VertexID >> 1);
+    //# exercise 1.3: the ray of a corner
     corner_direction = view.lower_left + s * view.right + t * view.up;
+    //# stub: corner_direction = view.lower_left;
+    //# end
     gl_Position = vec4(2.0 * s - 1.0, 2.0 * t - 1.0, 0.0, 1.0);
 }

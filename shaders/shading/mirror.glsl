@@ -1,7 +1,10 @@
 // The ray that a mirror sends on: the incoming one, turned round about the interpolated normal.
 
 real3 reflect_about(real3 direction, real3 normal) {
+    //# exercise 3.4: a reflected direction
     precise real3 reflected = direction - real(2.0f) * dot_product(normal, direction) * normal;
+    //# stub: real3 reflected = direction;
+    //# end
     return reflected;
 }
 

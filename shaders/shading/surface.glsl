@@ -24,7 +24,10 @@ Surface surface_at(Ray ray, Hit hit) {
     normal = dot_product(normal, normal) > real(0.0f) ? unit(normal) : geometric;
     normal = dot_product(normal, geometric) < real(0.0f) ? -normal : normal;
 
+    //# exercise 3.5: leaving a surface
     precise real3 origin = point + leaving_distance(a, b, c) * geometric;
+    //# stub: real3 origin = point;
+    //# end
     Surface surface;
     surface.origin = origin;
     surface.geometric_normal = geometric;

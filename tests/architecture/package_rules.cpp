@@ -23,7 +23,7 @@ const std::vector<PackageRule> package_rules{
     {"toml++/", {"common/scene/toml_"}},
     {"stb_", {"common/image/"}},
     {"CLI/", {"common/command/", "visualizer/request.cpp"}},
-    {"nlohmann/", {"common/command/", "tests/", "visualizer/state_file.cpp"}},
+    {"nlohmann/", {"common/command/", "common/course/", "tests/", "visualizer/state_file.cpp"}},
     {"vtk", {"visualizer/vtk/", "tests/visualizer/"}},
     {"X11/", {"visualizer/vtk/"}},
     {"boost/", {"common/reference/", "tests/"}},

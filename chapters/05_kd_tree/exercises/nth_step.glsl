@@ -1,0 +1,7 @@
+// Where the walk is after so many launches of one round: its t, and what it has found.
+
+uvec4 checkpoint(Ray ray, int step) {
+    Walk walk = walk_after(ray, step);
+    return uvec4(walk.ended ? 0u : uint(walk.place.x), walk.ended ? 1u : 0u,
+                 uint(walk.nearest.triangle), 0u);
+}

@@ -1,0 +1,150 @@
+#include "course/answer_builders.h"
+
+#include "error/error.h"
+#include "geometry/box.h"
+#include "structure/grid_shape.h"
+#include "structure/kd_plane.h"
+#include "structure/split_binned.h"
+#include "structure/split_median.h"
+
+#include <algorithm>
+#include <bit>
+#include <random>
+
+namespace raysteps {
+
+namespace {
+
+std::uint32_t bits(double number) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+}
+
+Box box_of(const Ray& ray) {
+    return {ray.origin, ray.direction};
+}
+
+// From a multiple of 1/64 to another: so sums and products of sides are exact, and an answer does
+// not depend on the order in which a student adds.
+Ray random_box(std::mt19937& numbers) {
+    Ray ray{};
+    for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = static_cast<float>(numbers() % 128) / 64.0f - 1.0f;
+        ray.direction[axis] = ray.origin[axis] + static_cast<float>(1 + numbers() % 32) / 64.0f;
+    }
+    return ray;
+}
+
+std::vector<Ray> boxes_of(const Question& question) {
+    std::vector<Ray> boxes = question.rays;
+    std::mt19937 numbers(static_cast<std::uint32_t>(question.seed));
+    for (int i = 0; i < question.random_rays; ++i) {
+        boxes.push_back(random_box(numbers));
+    }
+    return boxes;
+}
+
+Box around(std::span<const Ray> boxes) {
+    Box all;
+    for (const Ray& ray : boxes) {
+        all = merge(all, box_of(ray));
+    }
+    return all;
+}
+
+Found grid_cells(const Question& question, std::span<const Ray> boxes) {
+    std::vector<glm::vec3> corners; // a triangle that spans each box
+    for (const Ray& ray : boxes) {
+        corners.insert(corners.end(), {ray.origin, ray.direction, ray.origin});
+    }
+    GridOptions options;
+    const auto density = question.options.find("density");
+    options.density =
+        density == question.options.end() ? options.density : std::stod(density->second);
+    const GridShape shape = shape_grid(corners, options);
+    return {static_cast<std::uint32_t>(shape.cells.x), static_cast<std::uint32_t>(shape.cells.y),
+            static_cast<std::uint32_t>(shape.cells.z), bits(shape.cell_size.x)};
+}
+
+KdEvents events_of(std::span<const Ray> boxes) {
+    KdEvents events;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        int number = 0;
+        for (const Ray& ray : boxes) {
+            const int along = static_cast<int>(axis);
+            events[axis].push_back(make_event(ray.origin[along], number, KdEventKind::start));
+            events[axis].push_back(make_event(ray.direction[along], number, KdEventKind::end));
+            ++number;
+        }
+        std::sort(events[axis].begin(), events[axis].end(), [](const KdEvent& a, const KdEvent& b) {
+            return a.position < b.position || (a.position == b.position && a.code < b.code);
+        });
+    }
+    return events;
+}
+
+Found kd_plane(const Question& /*question*/, std::span<const Ray> boxes) {
+    const KdPlane plane = cheapest_plane(events_of(boxes), around(boxes), 0.0, {});
+    return {static_cast<std::uint32_t>(plane.axis), bits(static_cast<double>(plane.position)),
+            static_cast<std::uint32_t>(plane.lower_count), bits(plane.cost)};
+}
+
+using BvhSplitRule = std::optional<BvhCut> (*)(const BvhRange&, const BvhOptions&);
+
+Found bvh_cut(BvhSplitRule rule, std::span<const Ray> boxes) {
+    std::vector<BvhItem> items;
+    for (const Ray& ray : boxes) {
+        items.push_back({box_of(ray), static_cast<std::int32_t>(items.size())});
+    }
+    BvhRange range{items, around(boxes), {}};
+    for (const BvhItem& item : items) {
+        range.centers = merge(range.centers, doubled_center(item));
+    }
+    const std::optional<BvhCut> cut = rule(range, {});
+    if (!cut) {
+        return {static_cast<std::uint32_t>(-1), 0, 0, 0};
+    }
+    return {static_cast<std::uint32_t>(cut->axis), static_cast<std::uint32_t>(cut->lower_count),
+            bits(cut->cost), 0};
+}
+
+Found bvh_median(const Question& /*question*/, std::span<const Ray> boxes) {
+    return bvh_cut(split_median, boxes);
+}
+
+Found bvh_binned(const Question& /*question*/, std::span<const Ray> boxes) {
+    return bvh_cut(split_binned, boxes);
+}
+
+using AskBuilder = Found (*)(const Question&, std::span<const Ray>);
+
+AskBuilder builder_of(const std::string& subject) {
+    static const std::map<std::string, AskBuilder> builders{{"grid_cells", grid_cells},
+                                                            {"kd_plane", kd_plane},
+                                                            {"bvh_median", bvh_median},
+                                                            {"bvh_binned", bvh_binned}};
+    const auto place = builders.find(subject);
+    if (place == builders.end()) {
+        throw InputError("no builder has the name " + subject +
+                         ". Take grid_cells, kd_plane, bvh_median or bvh_binned.");
+    }
+    return place->second;
+}
+
+} // namespace
+
+Answer answer_by_builders(const Question& question) {
+    if (question.kind != QuestionKind::builder) {
+        throw InputError("this program answers questions about builders. Ask course_shaders.");
+    }
+    const AskBuilder ask = builder_of(question.subject);
+    Answer answer{boxes_of(question), {}};
+    const auto least = question.numbers.find("least");
+    const std::size_t first =
+        least == question.numbers.end() ? 2 : static_cast<std::size_t>(least->second);
+    for (std::size_t count = first; count <= answer.rays.size(); ++count) {
+        answer.steps.push_back({ask(question, std::span(answer.rays).first(count))});
+    }
+    return answer;
+}
+
+} // namespace raysteps

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "geometry/layout.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// Who answers a question.
+enum class QuestionKind {
+    checkpoint, // a shader part in the slot <checkpoint> of checkpoint.frag, for each ray and step
+    rays,       // the pass that makes the rays of a picture
+    picture,    // all passes of a picture
+    difference, // two pictures that were made before
+    builder,    // a builder of a structure, in C++
+};
+
+// What `./course` wants to know of the shader parts and builders as they stand. Numbers that are
+// not named have these values.
+struct Question {
+    QuestionKind kind = QuestionKind::checkpoint;
+    std::string subject; // the checkpoint's file, `direct` or `interpolated`, the view of
+                         // the picture (`whitted`: with light), or the builder's name
+    std::string scene = "tetrahedron";
+    std::string triangle = "watertight";
+    std::string structure = "every_triangle";
+    std::map<std::string, std::string> options; // of the builder, as --NAME
+    std::vector<Ray> rays;                      // these, and
+    int random_rays = 0;                        // so many at the scene's box, from around it
+    int seed = 1;                               // of those
+    int steps = 1;
+    int width = 64;
+    int height = 48;
+    std::map<std::string, int> numbers;       // uniforms, instead of the structure's
+    std::map<std::string, glm::vec3> points;  // as well
+    std::map<std::string, glm::ivec3> counts; // as well
+    std::map<std::string, int> zeros; // buffers of so many zeros, instead of the structure's
+    std::filesystem::path picture;    // where the picture goes, or lies, without its ending
+    std::filesystem::path reference;  // the picture that it is held against, without its ending
+};
+
+// The questions of a job: {"questions": [{"kind": "checkpoint", "subject": ...}, ...]}, with the
+// names of the fields above. A ray is eight integers, the bits of its numbers.
+// Throws InputError with the file's name where it is not that.
+std::vector<Question> read_questions(const std::filesystem::path& job);
+
+} // namespace raysteps

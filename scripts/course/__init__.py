@@ -1,0 +1,1 @@
+"""The coursework of Raysteps: see docs/course.md."""

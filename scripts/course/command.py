@@ -1,0 +1,324 @@
+"""The commands of ./course."""
+
+import argparse
+import difflib
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+from . import check, engine as engines, exercises as catalog, grade, report, submission, verify
+from . import workbook
+from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError
+
+WORKBOOK = catalog.ROOT / "workbook"
+
+
+def _print_json(value):
+    print(json.dumps(value, indent=1))
+
+
+def _engine(options):
+    engine = engines.Engine()
+    if options.build:
+        engine.build = Path(options.build).resolve()
+    engines.ensure_programs(engine)
+    return engine
+
+
+def start(options):
+    made = workbook.start(options.workbook, catalog.load())
+    if options.json:
+        _print_json({"made": made})
+        return DONE
+    for file in made:
+        print(f"made {options.workbook / file}")
+    print("Nothing to make: every file is there." if not made else
+          "Begin with `./course list`, then `./course show 1.1`.")
+    return DONE
+
+
+def list_all(options):
+    """With a workbook, how far each exercise is."""
+    rows = []
+    for exercise in catalog.select(catalog.load(), options.which):
+        state = (workbook.state_of(options.workbook, exercise) if options.workbook.is_dir()
+                 else "no workbook")
+        rows.append({"exercise": exercise.number, "title": exercise.title, "file": exercise.file,
+                     "chapter": exercise.chapter, "state": state})
+    if options.json:
+        _print_json({"exercises": rows})
+        return DONE
+    chapter = None
+    for row in rows:
+        if row["chapter"] != chapter:
+            chapter = row["chapter"]
+            print(chapter)
+        print(f"  {row['exercise']:<4} {row['state']:<17} {row['title']}")
+    passed = sum(row["state"] == check.PASSED for row in rows)
+    print(f"{passed} of {len(rows)} passed")
+    return DONE
+
+
+def _given_ray(options):
+    if options.ray is None:
+        return None
+    try:
+        return [catalog.ray_bits([float(word) for word in options.ray.split(",")])]
+    except ValueError as error:
+        raise CourseError(f"--ray {options.ray}: {error}. Give six numbers, or eight, with commas "
+                          "between them.") from error
+
+
+def _check_once(options, engine):
+    chosen = catalog.select(catalog.load(), options.which)
+    rays = _given_ray(options)
+    results = []
+    for exercise in chosen:
+        store = None if rays else engines.STORE / "pictures"
+        results.append(check.check(engine, exercise, options.workbook, rays, store))
+        if not options.json:
+            print(report.as_text(results[-1]), flush=True)
+    if rays is None:
+        workbook.remember(options.workbook, results)
+    if options.json:
+        _print_json({"results": [report.as_json(result) for result in results]})
+    elif len(results) > 1:
+        print(report.summary(results))
+    fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
+    return DONE if all(result.state in fine for result in results) else CHECK_FAILED
+
+
+def _times(options):
+    chosen = catalog.select(catalog.load(), options.which)
+    paths = [options.workbook / file for file in workbook.files_of(chosen)]
+    return [path.stat().st_mtime_ns if path.exists() else 0 for path in paths]
+
+
+def check_some(options):
+    workbook.require(options.workbook)
+    engine = _engine(options)
+    code = _check_once(options, engine)
+    while options.watch:
+        before = _times(options)
+        print("-- waiting for a change; Ctrl-C ends", flush=True)
+        while _times(options) == before:
+            time.sleep(0.3)
+        code = _check_once(options, engine)
+    return code
+
+
+def hint(options):
+    exercise = catalog.select_one(catalog.load(), options.which)
+    level = options.level
+    if options.json:
+        _print_json({"exercise": exercise.number, "hints": exercise.hints[:level]})
+        return DONE
+    for number, text in enumerate(exercise.hints[:level], 1):
+        print(f"Hint {number} of {len(exercise.hints)}: {text}")
+    if level < len(exercise.hints):
+        print(f"`./course hint {exercise.number} --level {level + 1}` says more.")
+    return DONE
+
+
+def show(options):
+    exercise = catalog.select_one(catalog.load(), options.which)
+    path = options.workbook / exercise.file
+    if options.json:
+        _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
+                     "file": str(path), "formulas": exercise.formulas, "source": exercise.source,
+                     "chapter": exercise.chapter,
+                     "checkpoints": [checkpoint.name for checkpoint in exercise.checkpoints]})
+        return DONE
+    print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
+    for formula in exercise.formulas:
+        print(f"  {formula}")
+    line = ""
+    code = workbook.code_of(options.workbook, exercise)
+    if code is not None:
+        line = f":{_line_of(path, exercise)}"
+    print(f"\nfile         {os.path.relpath(path)}{line}")
+    print(f"lesson       chapters/{exercise.chapter}/README.md")
+    print(f"source       {exercise.source}")
+    print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
+    print(f"check        ./course check {exercise.number}")
+    return DONE
+
+
+def _line_of(path, exercise):
+    from . import marks
+    return marks.regions(path.read_text(errors="replace"), path)[exercise.number].first
+
+
+def reset(options):
+    exercise = catalog.select_one(catalog.load(), options.which)
+    workbook.require(options.workbook)
+    kept = workbook.reset(options.workbook, exercise)
+    if options.json:
+        _print_json({"reset": exercise.number, "kept": str(kept) if kept else None})
+    else:
+        print(f"{exercise.number} is a stub again" +
+              (f"; the file as it was is {os.path.relpath(kept)}" if kept else ""))
+    return DONE
+
+
+def diff(options):
+    exercise = catalog.select_one(catalog.load(), options.which)
+    workbook.require(options.workbook)
+    state = workbook.state_of(options.workbook, exercise)
+    if state != check.PASSED and not options.give_up:
+        raise CourseError(f"{exercise.number} is {state}: the solution is shown when its check has "
+                          "passed, or with --give-up. `./course hint` helps too.")
+    own = workbook.code_of(options.workbook, exercise) or []
+    lines = list(difflib.unified_diff(own, exercise.region.code, "yours", "the solution",
+                                      lineterm=""))
+    if options.json:
+        _print_json({"exercise": exercise.number, "yours": own, "solution": exercise.region.code})
+    else:
+        print("\n".join(lines) if lines else "Yours is the solution, line by line.")
+    return DONE
+
+
+def pack(options):
+    workbook.require(options.workbook)
+    name = options.student
+    if not name or not all(letter.isalnum() or letter in "-_." for letter in name) or name[0] in ".-":
+        raise CourseError(f"--student {name}: take letters, digits, - and _ for the name.")
+    archive = Path(options.out) / f"{name}.zip"
+    files = submission.pack(options.workbook, catalog.load(), archive)
+    if options.json:
+        _print_json({"archive": str(archive), "files": files})
+    else:
+        print(f"wrote {archive}, with {len(files)} files")
+    return DONE
+
+
+def _grade_submissions(options):
+    chosen = catalog.select(catalog.load(), options.only)
+    if options.merge:
+        return grade.merge(options.merge)
+    engine = _engine(options)
+    paths = [Path(options.one)] if options.one else submission.list_submissions(Path(options.folder))
+    grades = []
+    for path in paths:
+        if not path.exists():
+            raise CourseError(f"{path}: there is no such submission.")
+        grades.append(grade.grade_one(engine, path, chosen))
+        if sys.stderr.isatty():
+            print(f"{grades[-1]['submission']}: {grades[-1]['score']} of {grades[-1]['of']}",
+                  file=sys.stderr)
+    return grades
+
+
+def grade_all(options):
+    if sum(bool(given) for given in (options.folder, options.one, options.merge)) != 1:
+        raise CourseError("grade: name a folder of submissions, or one with --one, or results with "
+                          "--merge.")
+    if options.folder and not Path(options.folder).is_dir():
+        raise CourseError(f"{options.folder}: there is no such folder.")
+    if options.jobs_file:
+        if not options.folder:
+            raise CourseError("--jobs-file wants a folder of submissions.")
+        count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
+                                 options.only)
+        print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
+              f"{options.results}")
+        return DONE
+    grades = _grade_submissions(options)
+    if options.csv:
+        grade.write_csv(options.csv, grades)
+    if options.json:
+        grade.write_json(options.json, grades)
+    for one in grades:
+        print(f"{one['submission']}: {one['score']} of {one['of']}")
+    return DONE
+
+
+def verify_all(options):
+    engine = _engine(options)
+    chosen = catalog.select(catalog.load(), options.which)
+
+    def say(finding):
+        if not options.json and (options.verbose or not finding.is_right):
+            word = "ok   " if finding.is_right else "WRONG"
+            print(f"{word} {finding.number} {finding.kind}: {finding.text}"
+                  f"{' -- ' + finding.detail if finding.detail else ''}", flush=True)
+
+    findings = verify.verify(engine, chosen, engines.STORE / "verify", options.workers, say)
+    wrong = [finding for finding in findings if not finding.is_right]
+    caught = [finding for finding in findings if finding.kind == "mutation" and finding.is_right]
+    if options.json:
+        _print_json({"findings": [vars(finding) for finding in findings], "wrong": len(wrong)})
+    else:
+        print(f"{len(chosen)} exercises, {len(caught)} mutations caught, {len(findings)} trials, "
+              f"{len(wrong)} wrong")
+    return CHECK_FAILED if wrong else DONE
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="./course", description="The coursework of Raysteps.")
+    parser.add_argument("--workbook", type=Path, default=WORKBOOK, help="the folder of your files")
+    parser.add_argument("--build", help="a build folder that has the programs course_shaders and "
+                                        "course_builders; else build/default, built as needed")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def add(name, run, text, **which):
+        command = commands.add_parser(name, help=text, description=text)
+        command.set_defaults(run=run)
+        if which:
+            command.add_argument("which", **which)
+        if name != "grade":
+            command.add_argument("--json", action="store_true", help="print JSON")
+        return command
+
+    some = {"nargs": "?", "metavar": "CHAPTER|EXERCISE", "help": "as 04 or 4.2; else all"}
+    one = {"metavar": "EXERCISE", "help": "as 4.2"}
+    add("start", start, "make the workbook; what is there stays")
+    add("list", list_all, "the exercises, and how far you are", **some)
+    command = add("check", check_some, "check exercises", **some)
+    command.add_argument("--watch", action="store_true", help="check again at each change")
+    command.add_argument("--ray", help="only this ray: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
+    command = add("hint", hint, "a hint, in three levels", **one)
+    command.add_argument("--level", type=int, choices=(1, 2, 3), default=1)
+    add("show", show, "task, file, formulas and source of an exercise", **one)
+    add("reset", reset, "put the stub back", **one)
+    command = add("diff", diff, "your lines against the solution", **one)
+    command.add_argument("--give-up", action="store_true", help="before yours has passed")
+    command = add("pack", pack, "a zip file of your workbook, to hand in")
+    command.add_argument("--student", required=True, metavar="NAME", help="the file is NAME.zip")
+    command.add_argument("--out", default=".", help="the folder for it")
+    command = add("grade", grade_all, "grade submissions: folders, .zip and .tar.gz files",
+                  nargs="?")
+    command._actions[-1].dest = "folder"
+    command.add_argument("--csv", help="a file for the table")
+    command.add_argument("--json", help="a file for everything that was found")
+    command.add_argument("--only", metavar="CHAPTER|EXERCISE", help="as 04 or 4.2; else all")
+    command.add_argument("--one", metavar="SUBMISSION", help="grade this one")
+    command.add_argument("--jobs-file", help="write a command a submission, and grade nothing")
+    command.add_argument("--results", default="results", help="the folder for --jobs-file's results")
+    command.add_argument("--merge", nargs="+", metavar="JSON", help="join results of --json")
+    command = add("verify", verify_all, "the author's check of the exercises", **some)
+    command.add_argument("--verbose", action="store_true", help="every trial, not only wrong ones")
+    command.add_argument("--workers", type=int, default=min(4, os.cpu_count() or 1))
+    return parser
+
+
+def main(arguments):
+    """The exit code: 0 done, 1 a check failed, 2 wrong usage or input, 3 the machine lacks
+    something."""
+    options = _parser().parse_args(arguments)
+    options.workbook = options.workbook.resolve()
+    try:
+        return options.run(options)
+    except CourseError as error:
+        print(f"course: {error}", file=sys.stderr)
+        return error.code
+    except OSError as error:
+        print(f"course: {error.filename or ''}: {error.strerror}. Check the name and the disk.",
+              file=sys.stderr)
+        return WRONG_INPUT
+    except KeyboardInterrupt:
+        return 130
+    except BrokenPipeError:
+        return DONE

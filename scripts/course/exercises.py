@@ -1,0 +1,136 @@
+"""The exercises, as the files chapters/*/exercises.toml and the marks in the sources have them."""
+
+import struct
+from dataclasses import dataclass, field
+from pathlib import Path
+
+try:
+    import tomllib
+except ImportError as error:
+    raise SystemExit("course: this needs Python 3.11 or later, which has the module tomllib.") from error
+
+from . import marks
+from .errors import CourseError
+
+ROOT = Path(__file__).resolve().parents[2]
+FARTHEST = struct.unpack("<f", b"\xff\xff\x7f\x7f")[0]  # t_max of a ray without an end
+
+# Another order of the same operations moves a number by a few units in the last place (2^-24 of
+# it), more where some of it cancels: 2^-16 leaves room for that, and no wrong sign or index.
+USUAL_TOLERANCE = 2.0**-16
+
+# A checkpoint's fields that go to the program as they are.
+PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "options", "seed", "steps",
+             "width", "height", "numbers", "points", "counts", "zeros", "random_rays")
+
+
+@dataclass
+class Checkpoint:
+    name: str
+    question: dict
+    values: list  # pairs of name and type: float, int or bool
+    tolerance: float
+    known: list  # of {ray, step, expected, because}
+
+
+@dataclass
+class Exercise:
+    number: str
+    title: str
+    file: str  # of the project
+    chapter: str  # the folder's name: 04_grid
+    task: str
+    formulas: list
+    source: str
+    hints: list
+    checkpoints: list
+    mutations: list
+    region: marks.Region = field(repr=False, default=None)
+
+    @property
+    def is_shader(self):
+        return self.file.startswith("shaders/")
+
+
+def bits(number):
+    return struct.unpack("<I", struct.pack("<f", number))[0]
+
+
+def from_bits(number):
+    return struct.unpack("<f", struct.pack("<I", number))[0]
+
+
+def ray_bits(ray):
+    """Six numbers are a ray without an end, eight have t_min and t_max too."""
+    if len(ray) not in (6, 8):
+        raise CourseError(f"a ray has six numbers, or eight with t_min and t_max, and not {len(ray)}.")
+    try:
+        return [bits(float(number)) for number in [*ray, *([0.0, FARTHEST][len(ray) // 8 * 2:])]]
+    except (ValueError, OverflowError) as error:
+        raise CourseError(f"a ray consists of numbers of single precision: {error}.") from error
+
+
+def _checkpoint(table, place):
+    question = {key: table[key] for key in PASSED_ON if key in table}
+    question["rays"] = [ray_bits(ray) for ray in table.get("rays", [])]
+    known = table.get("known", [])
+    rays = [ray_bits(entry["ray"]) for entry in known if "ray" in entry]
+    question["rays"] = rays + question["rays"]  # a known ray is asked like any other
+    for index, entry in enumerate(entry for entry in known if "ray" in entry):
+        entry["index"] = index
+    values = [tuple(value.split()) for value in table.get("values", [])]
+    for value in values:
+        if len(value) != 2 or value[1] not in ("float", "int", "bool"):
+            raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, int "
+                              "or bool. Write it so.")
+    return Checkpoint(table["name"], question, values,
+                      table.get("tolerance", USUAL_TOLERANCE), known)
+
+
+def _exercise(table, chapter, place):
+    checkpoints = [_checkpoint(entry, place) for entry in table["checkpoint"]]
+    return Exercise(table["number"], table["title"], table["file"], chapter, table["task"].strip(),
+                    table.get("formulas", []), table.get("source", ""), table["hints"],
+                    checkpoints, table.get("mutation", []))
+
+
+def load(root=ROOT):
+    """All exercises in the order of their numbers, with their regions in the sources."""
+    exercises, texts = [], {}
+    for path in sorted((root / "chapters").glob("[0-9][0-9]_*/exercises.toml")):
+        place = path.relative_to(root)
+        try:
+            tables = tomllib.loads(path.read_text())["exercise"]
+            found = [_exercise(table, path.parent.name, place) for table in tables]
+        except (KeyError, tomllib.TOMLDecodeError) as error:
+            raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
+                              "chapters.") from error
+        for exercise in found:
+            if exercise.file not in texts:
+                texts[exercise.file] = (root / exercise.file).read_text()
+            marked = marks.regions(texts[exercise.file], exercise.file)
+            if exercise.number not in marked:
+                raise CourseError(f"{place}: exercise {exercise.number} has no mark in "
+                                  f"{exercise.file}. Put `//# exercise {exercise.number}: ...` there.")
+            exercise.region = marked[exercise.number]
+        exercises += found
+    return sorted(exercises, key=lambda exercise: [int(part) for part in exercise.number.split(".")])
+
+
+def select(exercises, wanted):
+    """`04` or `4` names a chapter, `4.2` an exercise, nothing all of them."""
+    if not wanted:
+        return exercises
+    chosen = [e for e in exercises if e.number == wanted
+              or (wanted.isdigit() and int(e.number.split(".")[0]) == int(wanted))]
+    if not chosen:
+        numbers = ", ".join(e.number for e in exercises)
+        raise CourseError(f"{wanted} is no chapter and no exercise. Take one of {numbers}.")
+    return chosen
+
+
+def select_one(exercises, wanted):
+    chosen = [e for e in exercises if e.number == wanted]
+    if not chosen:
+        raise CourseError(f"{wanted} is no exercise. `./course list` shows their numbers.")
+    return chosen[0]

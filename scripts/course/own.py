@@ -1,0 +1,85 @@
+"""A person's file for one exercise, made ready for the compiler."""
+
+import contextlib
+import re
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import marks
+from .errors import CourseError
+from .exercises import ROOT
+
+MOST_BYTES = 1 << 20
+INCLUDE = re.compile(r"^\s*#\s*include\s*(.*?)\s*$", re.MULTILINE)
+
+
+def _refuse_foreign_includes(exercise, own, reference, name):
+    """A file may include what the project's own does; in C++, the standard library as well."""
+    allowed = set(INCLUDE.findall(reference))
+    for target in INCLUDE.findall(own):
+        is_standard = not exercise.is_shader and re.fullmatch(r"<\w+>", target)
+        if target not in allowed and not is_standard:
+            raise CourseError(f"{name}: `#include {target}` is not in the project's file. Remove it.")
+    if re.search(r"^\s*%:|\?\?=|\\\s*\n\s*#|#\s*embed|__has_include|_Pragma|\bincbin\b", own, re.MULTILINE):
+        raise CourseError(f"{name}: it reads other files or changes how the compiler reads this one. "
+                          "Remove that.")
+
+
+@dataclass
+class Own:
+    """A person's file for one exercise, ready for the compiler."""
+
+    composed: marks.Composed
+    is_stub: bool
+    name: str
+
+
+def read_own(exercise, folder, chosen=None):
+    """The file of the exercise in a workbook. Raises CourseError where its marks are broken."""
+    path = Path(folder) / exercise.file
+    name = str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else exercise.file
+    if path.is_symlink() or path.stat().st_size > MOST_BYTES:
+        raise CourseError(f"{name}: is a link, or larger than 1 MiB. Hand in the file itself.")
+    own = path.read_text(errors="replace")
+    reference = (ROOT / exercise.file).read_text()
+    composed = marks.compose(reference, own, exercise.file, name, chosen or {exercise.number})
+    code = marks.regions(own, name)[exercise.number].code
+    _refuse_foreign_includes(exercise, own, reference, name)
+    return Own(composed, marks.is_same(code, exercise.region.stub), name)
+
+
+def _text_for_compiler(exercise, own):
+    """C++ can say itself which line of which file it comes from."""
+    if exercise.is_shader:
+        return own.composed.text
+    lines, last = [], None
+    for line, (is_own, number) in zip(own.composed.text.split("\n"), own.composed.origins):
+        if last != (is_own, number - 1):
+            lines.append(f'#line {number} "{own.name if is_own else exercise.file}"')
+        lines.append(line)
+        last = (is_own, number)
+    return "\n".join(lines)
+
+
+def named_as_the_person_knows(message, exercise, own):
+    """`geometry/box.glsl:12:` becomes the line of the person's file."""
+    short = exercise.file.removeprefix("shaders/")
+
+    def name(match):
+        line = int(match[1])
+        if not 1 <= line <= len(own.composed.origins):
+            return match[0]
+        is_own, number = own.composed.origins[line - 1]
+        return f"{own.name if is_own else exercise.file}:{number}:"
+
+    return re.sub(rf"(?<![\w/]){re.escape(short)}:(\d+):", name, message)
+
+
+@contextlib.contextmanager
+def overlay(exercise, own):
+    with tempfile.TemporaryDirectory(prefix="raysteps_overlay_") as name:
+        path = Path(name) / exercise.file
+        path.parent.mkdir(parents=True)
+        path.write_text(_text_for_compiler(exercise, own))
+        yield Path(name)

@@ -1,0 +1,124 @@
+"""The author's check: that the exercises are complete, and that their tests tell right from wrong."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+from . import marks
+from .check import FAILED, PASSED, STATES, judge
+from .exercises import ROOT, load
+from .own import Own
+
+REJECTED = (FAILED, STATES["time"])  # a loop that never ends is caught by its time
+
+
+@dataclass
+class Finding:
+    """What one trial of an exercise came to: `text` says what was tried."""
+
+    number: str
+    kind: str  # complete, blank, solution, mutation
+    text: str
+    is_right: bool
+    detail: str = ""
+
+
+def find_unmarked(exercises):
+    """Marks in the sources that no exercises.toml knows."""
+    known = {exercise.number for exercise in exercises}
+    found = []
+    for folder in ("shaders", "common"):
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".glsl", ".frag", ".vert", ".cpp"):
+                name = str(path.relative_to(ROOT))
+                found += [Finding(number, "complete", f"{name} marks it", False,
+                                  "no exercises.toml has it")
+                          for number in marks.regions(path.read_text(), name) if number not in known]
+    return found
+
+
+def is_complete(exercise):
+    """What lacks, in words; empty where nothing does."""
+    known = [known for checkpoint in exercise.checkpoints for known in checkpoint.known]
+    lacks = []
+    lacks += [] if exercise.task else ["a task"]
+    lacks += [] if len(exercise.hints) == 3 and all(exercise.hints) else ["three hints"]
+    lacks += [] if exercise.region.stub else ["a stub"]
+    lacks += [] if known and all(entry.get("because") for entry in known) else ["a known answer"]
+    lacks += [] if len(exercise.mutations) >= 2 else ["two mutations"]
+    lacks += [] if exercise.source else ["a source"]
+    return ", ".join(lacks)
+
+
+def with_region(exercise, code):
+    """The project's file with other lines in the place of the solution, as a person would hand it
+    in."""
+    text = (ROOT / exercise.file).read_text()
+    own = marks.with_code(text, exercise.file, {exercise.number: code})
+    composed = marks.compose(text, own, exercise.file, exercise.file, {exercise.number})
+    return Own(composed, False, exercise.file)
+
+
+def mutated(exercise, mutation):
+    """The lines of the solution with the mistake; None where the text does not stand there once."""
+    solution = "\n".join(exercise.region.code)
+    if solution.count(mutation["find"]) != 1:
+        return None
+    return solution.replace(mutation["find"], mutation["replace"]).split("\n")
+
+
+def _try(engine, exercise, kind, text, code, expected, store=None):
+    result = judge(engine, exercise, with_region(exercise, code), store=store)
+    where = f" at {result.checkpoint.name}" if result.checkpoint else ""
+    step = f", step {result.wrong.step}" if result.wrong else ""
+    return Finding(exercise.number, kind, text, result.state in expected,
+                   f"{result.state}{where}{step} {result.message}".strip())
+
+
+def _trials(engine, exercise, store):
+    region = exercise.region
+    yield lambda: _try(engine, exercise, "solution", "the solution passes", region.code, (PASSED,),
+                       store)
+    yield lambda: _try(engine, exercise, "blank", "the blank fails", region.stub, (FAILED,))
+    for mutation in exercise.mutations:
+        code = mutated(exercise, mutation)
+        if code is None:
+            yield lambda mutation=mutation: Finding(
+                exercise.number, "mutation", mutation["name"], False,
+                f"`{mutation['find']}` does not stand in the solution exactly once")
+        else:
+            yield lambda mutation=mutation, code=code: _try(
+                engine, exercise, "mutation", mutation["name"], code, REJECTED)
+
+
+def _neighbours(engine, exercise, exercises):
+    """With this exercise blank and all others solved, the others of its file still pass."""
+    text = (ROOT / exercise.file).read_text()
+    own = marks.with_code(text, exercise.file, {exercise.number: exercise.region.stub})
+    for other in exercises:
+        if other.file == exercise.file and other.number != exercise.number:
+            composed = marks.compose(text, own, exercise.file, exercise.file, {other.number})
+            result = judge(engine, other, Own(composed, False, exercise.file))
+            yield Finding(exercise.number, "neighbour", f"its blank does not fail {other.number}",
+                          result.state == PASSED, result.state)
+
+
+def verify(engine, chosen, store, workers, say):
+    """All findings for the chosen exercises; `say` is called with each as it comes."""
+    exercises = load()
+    findings = find_unmarked(exercises)
+    for exercise in chosen:
+        lacks = is_complete(exercise)
+        findings.append(Finding(exercise.number, "complete",
+                                "has task, stub, hints, source, known answers and mutations",
+                                not lacks, f"lacks {lacks}" if lacks else ""))
+    for finding in findings:
+        say(finding)
+    trials = [trial for exercise in chosen for trial in _trials(engine, exercise, store)]
+    trials += [lambda exercise=exercise: list(_neighbours(engine, exercise, exercises))
+               for exercise in chosen]
+    with ThreadPoolExecutor(workers) as pool:
+        for found in pool.map(lambda trial: trial(), trials):
+            for finding in found if isinstance(found, list) else [found]:
+                findings.append(finding)
+                say(finding)
+    return findings

@@ -1,0 +1,99 @@
+"""A person's workbook: a copy of each file that has exercises, with stubs in the place of solutions."""
+
+import hashlib
+import json
+import shutil
+
+from . import marks
+from .errors import CourseError
+from .exercises import ROOT
+
+PROGRESS = "progress.json"
+
+
+def files_of(exercises):
+    return sorted({exercise.file for exercise in exercises})
+
+
+def start(folder, exercises):
+    """Makes what is missing; never over a file that is there. Returns the files made."""
+    made = []
+    for file in files_of(exercises):
+        path = folder / file
+        if path.exists():
+            continue
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(marks.blank((ROOT / file).read_text(), file))
+        made.append(file)
+    return made
+
+
+def require(folder):
+    if not folder.is_dir():
+        raise CourseError(f"{folder}: there is no workbook. Run `./course start`.")
+
+
+def code_of(folder, exercise):
+    """The person's lines of an exercise; None where they cannot be read."""
+    try:
+        text = (folder / exercise.file).read_text(errors="replace")
+        return marks.regions(text, exercise.file)[exercise.number].code
+    except (OSError, KeyError, CourseError):
+        return None
+
+
+def _digest(code):
+    return hashlib.sha256("\n".join(code).encode()).hexdigest()
+
+
+def _read_progress(folder):
+    try:
+        progress = json.loads((folder / PROGRESS).read_text())
+        return progress if isinstance(progress, dict) else {}
+    except (OSError, ValueError):
+        return {}
+
+
+def remember(folder, results):
+    """What was found out, for `list`: it counts as long as the person's lines stay the same."""
+    progress = _read_progress(folder)
+    for result in results:
+        code = code_of(folder, result.exercise)
+        if code is not None:
+            progress[result.exercise.number] = {"state": result.state, "code": _digest(code)}
+    (folder / PROGRESS).write_text(json.dumps(progress, indent=1, sort_keys=True) + "\n")
+
+
+def state_of(folder, exercise):
+    """passed, failed ... as last checked; `not started`, `not checked` or `missing`."""
+    code = code_of(folder, exercise)
+    if code is None:
+        return "missing"
+    if marks.is_same(code, exercise.region.stub):
+        return "not started"
+    known = _read_progress(folder).get(exercise.number)
+    is_current = isinstance(known, dict) and known.get("code") == _digest(code)
+    return str(known.get("state")) if is_current else "not checked"
+
+
+def reset(folder, exercise):
+    """Puts the stub back. The file as it was is kept beside it, as FILE.before_reset."""
+    path = folder / exercise.file
+    reference = (ROOT / exercise.file).read_text()
+    kept = None
+    text = marks.blank(reference, exercise.file)
+    if path.exists():
+        kept = path.with_name(path.name + ".before_reset")
+        shutil.copyfile(path, kept)
+        own = path.read_text(errors="replace")
+        try:
+            others = {number: region.code for number, region in marks.regions(own, path).items()
+                      if number != exercise.number}
+            text = (marks.with_code(own, path, {exercise.number: exercise.region.stub})
+                    if exercise.number in marks.regions(own, path)
+                    else marks.with_code(text, path, others))
+        except CourseError:  # its marks are broken: the whole file starts anew
+            pass
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return kept
