@@ -1,13 +1,14 @@
 #include "catch.h"
 #include "support/expected_picture.h"
-#include "support/picture_by.h"
+#include "support/pictures_by.h"
 
 using namespace raysteps;
 
 TEST_CASE("the picture of chapter 05 is the expected one by every walk", "[05][picture]") {
     const auto context = make_context(ContextKind::automatic);
-    for (const std::string walk : {"kd_restart", "kd_backtrack", "kd_short_stack", "kd_ropes"}) {
+    for (const auto& [walk, picture] :
+         pictures_by({"kd_restart", "kd_backtrack", "kd_short_stack", "kd_ropes"})) {
         CAPTURE(walk);
-        CHECK(unexpected_pixels(picture_by(walk), "05_kd_tree") == 0);
+        CHECK(unexpected_pixels(picture, "05_kd_tree") == 0);
     }
 }
