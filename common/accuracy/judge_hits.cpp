@@ -58,50 +58,77 @@ std::array<Ray, 4> moved_aside(const Ray& ray, float by) {
 // A ray whose hit is in question.
 struct Disputed {
     std::size_t ray = 0;
-    bool is_missed = false;
-    int triangle = no_triangle; // that was missed, or hit where it should not be
-    double t = 0.0;             // of it
+    bool is_missed = false; // else there is one too many
 };
 
-// The ray moved by that much towards the middle of the triangle that was hit, or away from that of
-// the one that was missed: past a sharp corner, no other way would do.
-Ray moved_by_triangle(const Ray& ray, const Disputed& disputed, std::span<const glm::vec3> corners,
-                      float by) {
-    const auto first = 3 * static_cast<std::size_t>(disputed.triangle);
-    const glm::dvec3 middle = (glm::dvec3(corners[first]) + glm::dvec3(corners[first + 1]) +
-                               glm::dvec3(corners[first + 2])) /
-                              3.0;
-    const glm::dvec3 point = glm::dvec3(ray.origin) + disputed.t * glm::dvec3(ray.direction);
-    const glm::dvec3 inwards = middle - point;
-    const double length = glm::length(inwards);
+glm::dvec3 corner_of(std::span<const glm::vec3> corners, int triangle, std::size_t corner) {
+    return glm::dvec3(corners[3 * static_cast<std::size_t>(triangle) + corner]);
+}
+
+// The ray moved by that much away from the middle of the triangle that was missed: past a sharp
+// corner, no other way would do.
+Ray moved_off(const Ray& ray, const ReferenceHit& missed, std::span<const glm::vec3> corners,
+              float by) {
+    const glm::dvec3 middle =
+        (corner_of(corners, missed.triangle, 0) + corner_of(corners, missed.triangle, 1) +
+         corner_of(corners, missed.triangle, 2)) /
+        3.0;
+    const glm::dvec3 outwards =
+        glm::dvec3(ray.origin) + missed.t * glm::dvec3(ray.direction) - middle;
+    const double length = glm::length(outwards);
     Ray moved = ray;
     if (length > 0.0) {
-        const double step = static_cast<double>(disputed.is_missed ? -by : by);
-        moved.origin = glm::vec3(glm::dvec3(ray.origin) + (step / length) * inwards);
+        moved.origin += glm::vec3((static_cast<double>(by) / length) * outwards);
     }
     return moved;
 }
 
+// Whether the ray, somewhat after its start, comes so near to the point that the hit names. Then it
+// passes beside the triangle, and nearer than rounding can tell.
+bool comes_near(const Ray& ray, const Hit& hit, std::span<const glm::vec3> corners, float by) {
+    const double u = std::clamp(static_cast<double>(hit.u), 0.0, 1.0);
+    const double v = std::clamp(static_cast<double>(hit.v), 0.0, 1.0 - u);
+    const glm::dvec3 point = (1.0 - u - v) * corner_of(corners, hit.triangle, 0) +
+                             u * corner_of(corners, hit.triangle, 1) +
+                             v * corner_of(corners, hit.triangle, 2);
+    const glm::dvec3 way = static_cast<double>(hit.t) * glm::dvec3(ray.direction);
+    const glm::dvec3 off = glm::abs(glm::dvec3(ray.origin) + way - point);
+    const double farthest_off = std::max({off.x, off.y, off.z});
+    const auto near = static_cast<double>(by);
+    return farthest_off <= near && glm::length(way) > 4.0 * near;
+}
+
+struct Question {
+    std::span<const Ray> rays;
+    std::span<const Hit> hits;
+    std::span<const ReferenceHit> truth;
+    std::span<const glm::vec3> corners;
+};
+
 // Whether each of the rays passes an outline.
-std::vector<bool> pass_outlines(std::span<const Disputed> disputed, std::span<const Ray> rays,
-                                std::span<const ReferenceHit> truth,
-                                std::span<const glm::vec3> corners) {
-    const Box box = bounds_of(corners);
+std::vector<bool> pass_outlines(std::span<const Disputed> disputed, const Question& question) {
+    const Box box = bounds_of(question.corners);
+    std::vector<bool> outlines(disputed.size());
     std::vector<Ray> moved;
-    for (const Disputed& one : disputed) {
-        const Ray& ray = rays[one.ray];
+    std::vector<std::size_t> moved_for; // which of the disputed
+    for (std::size_t i = 0; i < disputed.size(); ++i) {
+        const std::size_t n = disputed[i].ray;
+        const Ray& ray = question.rays[n];
         const float by = rounding_of(ray, box);
+        outlines[i] =
+            !disputed[i].is_missed && comes_near(ray, question.hits[n], question.corners, by);
         const std::array<Ray, 4> sides = moved_aside(ray, by);
         moved.insert(moved.end(), sides.begin(), sides.end());
-        moved.push_back(moved_by_triangle(ray, one, corners, by));
+        if (disputed[i].is_missed) {
+            moved.push_back(moved_off(ray, question.truth[n], question.corners, by));
+        }
+        moved_for.resize(moved.size(), i);
     }
-    const std::vector<ReferenceHit> hits = exact_nearest_hits(moved, corners);
-    constexpr std::size_t moves = 5; // of each ray
-    std::vector<bool> outlines(disputed.size());
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        const int true_triangle = truth[disputed[i / moves].ray].triangle;
-        if (!is_there_too(hits[i].triangle, true_triangle, corners)) {
-            outlines[i / moves] = true;
+    const std::vector<ReferenceHit> found = exact_nearest_hits(moved, question.corners);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+        const int true_triangle = question.truth[disputed[moved_for[k]].ray].triangle;
+        if (!is_there_too(found[k].triangle, true_triangle, question.corners)) {
+            outlines[moved_for[k]] = true;
         }
     }
     return outlines;
@@ -123,15 +150,13 @@ Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
         if (!is_there_too(hits[i].triangle, truth[i].triangle, corners)) {
             const bool is_there = truth[i].triangle != no_triangle;
             const bool found = hits[i].triangle != no_triangle;
-            const bool is_missed = is_there && (!found || t > truth[i].t);
-            disputed.push_back({i, is_missed, is_missed ? truth[i].triangle : hits[i].triangle,
-                                is_missed ? truth[i].t : t});
+            disputed.push_back({i, is_there && (!found || t > truth[i].t)});
         } else if (hits[i].triangle != no_triangle) {
             errors.push_back(
                 static_cast<float>(std::abs(t - truth[i].t) / unit_in_last_place(truth[i].t)));
         }
     }
-    const std::vector<bool> outlines = pass_outlines(disputed, rays, truth, corners);
+    const std::vector<bool> outlines = pass_outlines(disputed, {rays, hits, truth, corners});
     Fault missed{"missed", 0, hits.size()};
     Fault wrong{"false", 0, hits.size()};
     std::size_t excused = 0;

@@ -19,11 +19,12 @@ double unit_in_last_place(double value);
 // a hit and there is none, or one farther on, it was missed. Where there should be none, or the one
 // found lies nearer than the true one, it is false.
 //
-// A ray that passes the outline of the mesh so closely that moving it by the padding of
-// structure/padding.h changes the answer is another matter: a float cannot tell on which side it
-// passes. Wrong answers of such rays are no faults, and are counted by themselves. At an edge
-// between two faces that look the same way, a moved ray still hits, so a ray that slips through is
-// a fault.
+// A ray that passes the outline of the mesh more closely than rounding can tell is another matter.
+// With the padding of structure/padding.h as the measure: a false hit that lies so near to its
+// triangle, and a wrong answer that changes when the ray is moved so far aside, are no faults, and
+// are counted by themselves. At an edge between two faces that look the same way, a moved ray still
+// hits, so a ray that slips through is a fault. (Padding is what structures give every triangle, by
+// what the test with exact areas can promise: docs/numerics.md.)
 Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
                     std::span<const ReferenceHit> truth, std::span<const glm::vec3> corners);
 

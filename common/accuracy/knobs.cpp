@@ -14,7 +14,12 @@ namespace raysteps {
 
 const std::vector<KnobMaker>& knob_makers() {
     static const std::vector<KnobMaker> all{
-        {"triangle", [](const KnobRequest& r) { return triangle_knob(r.mesh, r.effort); }},
+        {"triangle",
+         [](const KnobRequest& r) { return triangle_knob("triangle", r.mesh, r.effort); }},
+        {"slivers",
+         [](const KnobRequest& r) {
+             return triangle_knob("triangle, slivers", slivers_subject(), r.effort);
+         }},
         {"picture", [](const KnobRequest& r) { return hit_picture_knob(r.scene, r.effort); }},
         {"precision", [](const KnobRequest& r) { return precision_knob(r.effort); }},
         {"slab", [](const KnobRequest& r) { return slab_knob(r.effort); }},

@@ -25,7 +25,7 @@ table { border-collapse: collapse; font-size: 14px; margin: 1em 0; }
 th, td { padding: .22em .7em; text-align: right; border-bottom: 1px solid #e4e4e4; }
 th:first-child, td:first-child { text-align: left; } tr.family th { text-align: left;
        background: #f2f2f2; } td.bad { color: #a30000; } td.good { color: #00601b; }
-td.left { text-align: left; }
+td.left, .words th { text-align: left; }
 .plot { width: 100%; max-width: 860px; display: block; margin: .6em 0; }
 .plot text { font: 13px "DejaVu Sans", Verdana, sans-serif; fill: #222; }
 .plot .title { font-weight: bold; font-size: 15px; } .plot .middle { text-anchor: middle; }
@@ -51,7 +51,7 @@ std::string join(const std::vector<std::string>& words) {
 }
 
 std::string advice_table(const std::vector<Advice>& advice) {
-    std::string html = "<table><tr><th>choice</th><th>need</th><th>it must have</th>"
+    std::string html = "<table class='words'><tr><th>choice</th><th>need</th><th>it must have</th>"
                        "<th>take (no rank among those named together)</th></tr>\n";
     for (const Advice& one : advice) {
         html += "<tr><td>" + escaped(one.knob) + "</td><td class='left'>" + escaped(one.need) +

@@ -1,6 +1,7 @@
 #include "accuracy/subject.h"
 
 #include "geometry/box.h"
+#include "scene/load_scene.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
 #include "structure/families.h"
@@ -64,6 +65,12 @@ std::shared_ptr<const Subject> make_subject(Scene scene, float reach) {
 std::shared_ptr<const Subject> usual_subject() {
     Scene scene = add_mesh({}, sphere({0.3f, -0.2f, 0.1f}, 1.0f, 4), Material{});
     scene.name = "a sphere of 320 triangles";
+    return make_subject(std::move(scene), 0.0f);
+}
+
+std::shared_ptr<const Subject> slivers_subject() {
+    Scene scene = load_scene("needles:200", 1.0f);
+    scene.name = "200 needles";
     return make_subject(std::move(scene), 0.0f);
 }
 

@@ -26,6 +26,9 @@ std::shared_ptr<const Subject> make_subject(Scene scene, float reach);
 // A small closed mesh: a sphere of 320 triangles around a point off the origin.
 std::shared_ptr<const Subject> usual_subject();
 
+// Needles in all directions, up to ten thousand times as long as wide.
+std::shared_ptr<const Subject> slivers_subject();
+
 // The scene's triangles in a structure, built with these values.
 std::shared_ptr<const SceneTextures>
 build_textures(const Scene& scene, const std::string& structure, float reach,

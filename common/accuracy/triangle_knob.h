@@ -5,6 +5,8 @@
 #include "accuracy/subject.h"
 #include "gpu/read_shader.h"
 
+#include <string>
+
 namespace raysteps {
 
 // A triangle test: what fills the slots <triangle> and <real>.
@@ -16,6 +18,7 @@ struct TriangleMethod {
 const std::vector<TriangleMethod>& triangle_methods();
 
 // All triangle tests, on families of rays at the subject (accuracy/aimed_rays.h).
-Knob triangle_knob(const std::shared_ptr<const Subject>& subject, const Effort& effort);
+Knob triangle_knob(const std::string& name, const std::shared_ptr<const Subject>& subject,
+                   const Effort& effort);
 
 } // namespace raysteps

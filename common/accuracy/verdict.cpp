@@ -77,7 +77,7 @@ std::vector<Need> needs_of_methods(const KnobResult& result, double least_error)
              return !m.faults || usual_faults(result, m.method) < faults_of_preview;
          }},
         {"default", "no fault in any family", is_faultless}};
-    if (result.name == "triangle") {
+    if (result.name.starts_with("triangle")) {
         needs.push_back({"closed mesh", "no ray slips through an edge or a corner",
                          [&](const MethodSummary& m) {
                              return is_faultless(m) && m.method.starts_with("watertight");
