@@ -26,7 +26,7 @@ std::shared_ptr<const Subject> make_subject(Scene scene, float reach);
 // A small closed mesh: a sphere of 320 triangles around a point off the origin.
 std::shared_ptr<const Subject> usual_subject();
 
-// Needles in all directions, up to ten thousand times as long as wide.
+// Needles in all directions, up to five thousand times as long as wide.
 std::shared_ptr<const Subject> slivers_subject();
 
 // The scene's triangles in a structure, built with these values.

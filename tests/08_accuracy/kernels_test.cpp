@@ -61,9 +61,9 @@ std::size_t count_unlike_mirror(const Scene& scene, std::span<const Ray> rays,
     return unlike;
 }
 
-// The methods with their faults on one family of rays at the usual sphere.
-std::map<std::string, std::size_t> faults_on(const std::string& family_name, int seed) {
-    const auto subject = usual_subject();
+// The methods with their faults on one family of rays at the subject.
+std::map<std::string, std::size_t> faults_on(const std::shared_ptr<const Subject>& subject,
+                                             const std::string& family_name, int seed) {
     const std::span<const glm::vec3> corners = subject->scene.corners;
     std::map<std::string, std::size_t> faults;
     for (const RayFamily& family : aim_at(corners, ray_count, seed)) {
@@ -125,7 +125,7 @@ TEST_CASE("at edges the watertight tests and doubles leak nothing and the others
     const int seed = 1;
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
-    std::map<std::string, std::size_t> faults = faults_on("edge", seed);
+    std::map<std::string, std::size_t> faults = faults_on(usual_subject(), "edge", seed);
     CHECK(faults["watertight, rounded"] == 0);
     CHECK(faults["watertight, fallback"] == 0);
     CHECK(faults["watertight, exact areas"] == 0);
@@ -140,13 +140,26 @@ TEST_CASE("at vertices double leaks too and a watertight float does not", "[08][
     const int seed = 1;
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
-    std::map<std::string, std::size_t> faults = faults_on("vertex", seed);
+    std::map<std::string, std::size_t> faults = faults_on(usual_subject(), "vertex", seed);
     CHECK(faults["watertight, rounded"] == 0);
     CHECK(faults["watertight, fallback"] == 0);
     CHECK(faults["watertight, exact areas"] == 0);
     CHECK(faults["watertight, double"] == 0);
     CHECK(faults["Moeller-Trumbore, double"] > 0);
     CHECK(faults["Pluecker"] > 0);
+}
+
+TEST_CASE("on slivers only exact areas and doubles put every hit at its triangle",
+          "[08][triangle]") {
+    const int seed = 1;
+    CAPTURE(seed);
+    const auto context = make_context(ContextKind::automatic);
+    std::map<std::string, std::size_t> faults = faults_on(slivers_subject(), "grazing", seed);
+    CHECK(faults["watertight, exact areas"] == 0);
+    CHECK(faults["watertight, double"] == 0);
+    CHECK(faults["watertight, rounded"] > ray_count / 100);
+    CHECK(faults["watertight, fallback"] > ray_count / 100);
+    CHECK(faults["Moeller-Trumbore"] > ray_count / 100);
 }
 
 TEST_CASE("a kernel in double gives the float nearest to the true t", "[08][precision]") {
