@@ -1,8 +1,7 @@
 #pragma once
 
+#include "command/deliver.h"
 #include "trials/trial.h"
-
-#include <nlohmann/json.hpp>
 
 #include <span>
 #include <string>

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "geometry/box.h"
-#include "geometry/layout.h"
+#include "hard_cases/ray_family.h"
 #include "scene/random_numbers.h"
 
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 // Families of rays that find the faults of structures and triangle tests; random rays are nearly
@@ -89,11 +88,6 @@ std::vector<Ray> reversed(std::span<const Ray> rays);
 // What no ray should be. A structure must answer all the same, and may not hang or read outside:
 // not a number, infinite, without a direction, with a direction too small to divide by.
 std::vector<Ray> nonsense_rays();
-
-struct RayFamily {
-    std::string name;
-    std::vector<Ray> rays;
-};
 
 // All families of sensible rays that know nothing of a structure.
 std::vector<RayFamily> ray_families(RandomNumbers& numbers, std::span<const glm::vec3> corners,
