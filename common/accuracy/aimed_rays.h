@@ -11,7 +11,7 @@
 namespace raysteps {
 
 // Rays of one kind at a mesh.
-struct RayFamily {
+struct AimedFamily {
     std::string name;
     std::vector<Ray> rays;
 };
@@ -27,6 +27,6 @@ struct RayFamily {
 //   grazing   at points of triangles, at an angle of about 1e-4 to them
 //   leaving   from points of triangles, moved off as chapter 03 does, in any direction
 //   far       at points of triangles, from ten thousand sizes away
-std::vector<RayFamily> aim_at(std::span<const glm::vec3> corners, std::size_t count, int seed);
+std::vector<AimedFamily> aim_at(std::span<const glm::vec3> corners, std::size_t count, int seed);
 
 } // namespace raysteps

@@ -1,9 +1,9 @@
 #include "structure/half_bvh.h"
 
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
 #include "scene/random_numbers.h"
 #include "structure/families.h"
-#include "support/soup.h"
 
 #include <cmath>
 
