@@ -128,18 +128,18 @@ struct FamilyMaker {
 
 } // namespace
 
-std::vector<RayFamily> aim_at(std::span<const glm::vec3> corners, std::size_t count, int seed) {
+std::vector<AimedFamily> aim_at(std::span<const glm::vec3> corners, std::size_t count, int seed) {
     const std::vector<FamilyMaker> makers{{"random", random_ray},   {"inside", inside_ray},
                                           {"edge", edge_ray},       {"vertex", vertex_ray},
                                           {"axis", axis_ray},       {"grazing", grazing_ray},
                                           {"leaving", leaving_ray}, {"far", far_ray}};
     const Box box = bounds_of(corners);
     const glm::vec3 side = box.upper - box.lower;
-    std::vector<RayFamily> families;
+    std::vector<AimedFamily> families;
     for (const FamilyMaker& maker : makers) {
         RandomNumbers numbers(seed);
         const Target target{numbers, corners, box, std::max({side.x, side.y, side.z})};
-        RayFamily family{maker.name, {}};
+        AimedFamily family{maker.name, {}};
         for (std::size_t i = 0; i < count; ++i) {
             family.rays.push_back(maker.make(target));
         }

@@ -129,8 +129,8 @@ Scene crumbs(int seed) {
 
 void add_hits(Knob& knob, const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(crumbs(effort.seed));
-    std::vector<RayFamily> rays = aim_at(scene->corners, effort.judged_rays, effort.seed);
-    std::erase_if(rays, [](const RayFamily& family) { return family.name != "inside"; });
+    std::vector<AimedFamily> rays = aim_at(scene->corners, effort.judged_rays, effort.seed);
+    std::erase_if(rays, [](const AimedFamily& family) { return family.name != "inside"; });
     rays.front().name = "at crumbs";
     const float reach = reach_of(rays.front().rays, scene->corners);
     const auto textures = build_textures(*scene, "grid", reach, {{"resolution", "64"}});

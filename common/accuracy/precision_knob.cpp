@@ -11,9 +11,9 @@ namespace raysteps {
 Knob precision_knob(const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(
         add_mesh({}, sphere({0.3f, -0.2f, 0.1f}, 1.0f, 8), Material{}));
-    std::vector<RayFamily> families;
+    std::vector<AimedFamily> families;
     float reach = 0.0f;
-    for (RayFamily& family : aim_at(scene->corners, effort.judged_rays, effort.seed)) {
+    for (AimedFamily& family : aim_at(scene->corners, effort.judged_rays, effort.seed)) {
         if (family.name != "leaving" && family.name != "axis" && family.name != "inside") {
             reach = std::max(reach, reach_of(family.rays, scene->corners));
             families.push_back(std::move(family));

@@ -30,7 +30,7 @@ struct TraceFamily {
 };
 
 // The families with the truth of exact arithmetic on the float inputs.
-std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<RayFamily> families,
+std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<AimedFamily> families,
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort);
 

@@ -36,8 +36,7 @@ void main() {
     if (!is_glass(hit.triangle)) {
         discard;
     }
-    GlassMeeting meeting =
-        meet_glass(ray, hit, surface_at(ray, hit), texelFetch(media, pixel, 0));
+    GlassMeeting meeting = meet_glass(ray, hit, surface_at(ray, hit), texelFetch(media, pixel, 0));
     bool total = meeting.reflected_part >= 1.0;
     Ray next = meeting.refracted;
     if (total) {

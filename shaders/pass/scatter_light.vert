@@ -1,8 +1,8 @@
 #version 410 core
 // Each ray of a list carries its light to its own pixel: a point there, one pixel large.
 
-uniform sampler2D lights;         // of the rays, row by row
-uniform isamplerBuffer targets;   // the pixel of each ray, its row times the width plus its column
+uniform sampler2D lights;       // of the rays, row by row
+uniform isamplerBuffer targets; // the pixel of each ray, its row times the width plus its column
 uniform int picture_width;
 uniform int picture_height;
 

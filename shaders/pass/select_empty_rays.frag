@@ -10,8 +10,8 @@ uniform sampler2D ray_directions;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (!is_empty(unpack_ray(texelFetch(ray_origins, pixel, 0),
-                             texelFetch(ray_directions, pixel, 0)))) {
+    if (!is_empty(
+            unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0)))) {
         discard;
     }
 }

@@ -2,7 +2,6 @@
 
 #include "catch.h"
 #include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
 #include "scene/random_numbers.h"
 #include "structure/families.h"
 

@@ -4,14 +4,13 @@
 #include "accuracy/triangle_knob.h"
 #include "catch.h"
 #include "gpu/context.h"
-#include "hard_cases/loose_triangles.h"
 #include "hard_cases/ray_families.h"
 #include "mirror/mirror_scene.h"
 #include "reference/exact_nearest.h"
 #include "render/trace_rays.h"
 #include "scene/shapes.h"
-#include "support/gpu_hits.h"
 #include "support/same_bits.h"
+#include "support/scene_of.h"
 
 #include <map>
 
@@ -67,7 +66,7 @@ std::map<std::string, std::size_t> faults_on(const std::shared_ptr<const Subject
                                              const std::string& family_name, int seed) {
     const std::span<const glm::vec3> corners = subject->scene.corners;
     std::map<std::string, std::size_t> faults;
-    for (const RayFamily& family : aim_at(corners, ray_count, seed)) {
+    for (const AimedFamily& family : aim_at(corners, ray_count, seed)) {
         if (family.name == family_name) {
             const std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, corners);
             for (const TriangleMethod& method : triangle_methods()) {
@@ -108,7 +107,7 @@ TEST_CASE("new triangle tests give the same bits in GLSL and in C++", "[08][tria
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
     const auto subject = usual_subject();
-    for (const RayFamily& family : aim_at(subject->scene.corners, ray_count, seed)) {
+    for (const AimedFamily& family : aim_at(subject->scene.corners, ray_count, seed)) {
         CAPTURE(family.name);
         const std::vector<Hit> pluecker =
             hits_with(*subject, {{"triangle", "geometry/triangle_pluecker.glsl"}}, family.rays);
@@ -168,8 +167,8 @@ TEST_CASE("a kernel in double gives the float nearest to the true t", "[08][prec
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
     const auto subject = usual_subject();
-    const std::vector<RayFamily> families = aim_at(subject->scene.corners, ray_count, seed);
-    const RayFamily& family = families.at(1);
+    const std::vector<AimedFamily> families = aim_at(subject->scene.corners, ray_count, seed);
+    const AimedFamily& family = families.at(1);
     REQUIRE(family.name == "inside");
     const std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, subject->scene.corners);
     const Parts parts{{"triangle", "geometry/triangle_watertight_rounded.glsl"},

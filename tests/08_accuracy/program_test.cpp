@@ -1,7 +1,7 @@
 #include "accuracy/scene_needs.h"
 #include "catch.h"
 #include "scene/shapes.h"
-#include "support/gpu_hits.h"
+#include "support/scene_of.h"
 #include "support/scratch_folder.h"
 
 #include <nlohmann/json.hpp>
