@@ -226,8 +226,10 @@ def grade_all(options):
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
+        settings = ["--memory", options.memory]
+        settings += ["--build", Path(options.build).resolve()] if options.build else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
-                                 options.only)
+                                 options.only, settings)
         print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
               f"{options.results}")
         return DONE

@@ -41,8 +41,10 @@ def _limit(limits):
         _, hard = resource.getrlimit(kind)
         if kind == resource.RLIMIT_AS and most == 0:
             continue
-        resource.setrlimit(kind, (most, most) if hard == resource.RLIM_INFINITY or most <= hard
-                           else (hard, hard))
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        # At the lower limit of time a signal says so; at the upper one there is no way on.
+        room = 2 if kind == resource.RLIMIT_CPU and hard == resource.RLIM_INFINITY else 0
+        resource.setrlimit(kind, (most, most + room))
 
 
 def _kill_all(process):
