@@ -10,7 +10,7 @@ packages_to_run=(
   libglm-dev libosmesa6-dev libegl-dev libglfw3-dev python3-glad khronos-api
   libegl-mesa0 libgl1-mesa-dri
   libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libstb-dev
-  libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core
+  libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core python3
 )
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with

@@ -21,8 +21,14 @@ def _print_json(value):
 
 def _engine(options):
     engine = engines.Engine()
+    engine.limits.memory_bytes = options.memory << 30
+    engine.build_limits.memory_bytes = options.memory << 30
     if options.build:
         engine.build = Path(options.build).resolve()
+        for program in (engine.shaders_program(), engine.builders_program()):
+            if not program.exists():
+                raise CourseError(f"{program}: is not there. Build it, or leave out --build.")
+        return engine
     engines.ensure_programs(engine)
     return engine
 
@@ -220,8 +226,10 @@ def grade_all(options):
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
+        settings = ["--memory", options.memory]
+        settings += ["--build", Path(options.build).resolve()] if options.build else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
-                                 options.only)
+                                 options.only, settings)
         print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
               f"{options.results}")
         return DONE
@@ -261,6 +269,8 @@ def _parser():
     parser.add_argument("--workbook", type=Path, default=WORKBOOK, help="the folder of your files")
     parser.add_argument("--build", help="a build folder that has the programs course_shaders and "
                                         "course_builders; else build/default, built as needed")
+    parser.add_argument("--memory", type=int, default=8, metavar="GIB",
+                        help="what a checked program may reserve, in GiB; 0: all there is (8)")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name, run, text, **which):

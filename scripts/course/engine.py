@@ -62,7 +62,7 @@ def _is_older(program, folders):
 def ensure_programs(engine):
     """Builds what is missing or out of date, by CMake as everything else is."""
     programs = [engine.shaders_program(), engine.builders_program()]
-    if engine.build != BUILD or not any(_is_older(program, ["common"]) for program in programs):
+    if not any(_is_older(program, ["common"]) for program in programs):
         return
     print("course: building the programs that check, which takes minutes the first time (see "
           "build/course/build.log)", file=sys.stderr)

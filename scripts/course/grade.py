@@ -48,12 +48,13 @@ def write_json(path, grades):
     Path(path).write_text(json.dumps({"grades": grades}, indent=1) + "\n")
 
 
-def write_jobs(path, folder, results, wanted):
-    """A line of shell for each submission, which any machine with this folder can run."""
+def write_jobs(path, folder, results, wanted, settings):
+    """A line of shell for each submission, which any machine with this folder can run. `settings`
+    are options that stand before the command."""
     lines = []
     for one in submission.list_submissions(folder):
         target = results.resolve() / (submission.name_of(one) + ".json")
-        words = [ROOT / "course", "grade", "--one", one.resolve(), "--json", target]
+        words = [ROOT / "course", *settings, "grade", "--one", one.resolve(), "--json", target]
         words += ["--only", wanted] if wanted else []
         lines.append(f"cd {shlex.quote(str(ROOT))} && " + shlex.join(str(word) for word in words))
     results.mkdir(parents=True, exist_ok=True)

@@ -20,13 +20,15 @@ END = re.compile(r"^\s*//# end\s*$")
 
 @dataclass
 class Region:
-    """The lines of one exercise; `first` is the number of its first line, counted from 1."""
+    """The lines of one exercise; `first` is the number of its first line of code, counted from 1,
+    and `last` that of the line which ends it."""
 
     number: str
     title: str
     begin: str
     end: str = ""
     first: int = 0
+    last: int = 0
     code: list = field(default_factory=list)
     stub: list = field(default_factory=list)
 
@@ -51,7 +53,7 @@ def parse(text, name):
             if region is None:
                 raise CourseError(f"{name}:{number}: `//# end` without an exercise. Put the line "
                                   "`//# exercise ...` back, or let ./course reset do it.")
-            region.end = line
+            region.end, region.last = line, number
             parts.append(region)
             region = None
         elif stub and region is not None:
@@ -127,5 +129,6 @@ def compose(reference, own, reference_name, own_name, chosen):
         is_own = part.number in chosen or solution is None
         source = part if is_own else solution
         lines += [part.begin, *source.code, part.end]
-        origins += [(is_own, source.first - 1 + i) for i in range(len(source.code) + 2)]
+        origins += [(is_own, source.first - 1 + i) for i in range(len(source.code) + 1)]
+        origins.append((is_own, source.last))
     return Composed("\n".join(lines), origins)

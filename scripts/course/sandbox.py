@@ -15,7 +15,7 @@ MOST_BYTES_SHOWN = 20_000
 class Limits:
     seconds: float = 60.0  # of the clock
     cpu_seconds: int = 60  # of all of its threads together
-    memory_bytes: int = 8 << 30  # of addresses: the software renderer reserves far more than it uses
+    memory_bytes: int = 8 << 30  # of addresses: the software renderer reserves far more than it uses; 0: no limit
     file_bytes: int = 64 << 20  # of each file that it writes, its output included
     processes: int = 512  # of this user; the system does not count those of root
 
@@ -39,8 +39,12 @@ def _limit(limits):
                        (resource.RLIMIT_NPROC, limits.processes),
                        (resource.RLIMIT_CORE, 0)):
         _, hard = resource.getrlimit(kind)
-        resource.setrlimit(kind, (most, most) if hard == resource.RLIM_INFINITY or most <= hard
-                           else (hard, hard))
+        if kind == resource.RLIMIT_AS and most == 0:
+            continue
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        # At the lower limit of time a signal says so; at the upper one there is no way on.
+        room = 2 if kind == resource.RLIMIT_CPU and hard == resource.RLIM_INFINITY else 0
+        resource.setrlimit(kind, (most, most + room))
 
 
 def _kill_all(process):

@@ -1,0 +1,41 @@
+"""What the tests of the coursework share."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+# As CTest gives it: the program with its first options, parted by semicolons.
+COURSE = os.environ.get("RAYSTEPS_COURSE", f"{sys.executable};{ROOT}/course").split(";")
+
+
+class CourseTest(unittest.TestCase):
+    """A test with a folder of its own, in which `workbook` is the workbook."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="raysteps_test_course_")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.workbook = self.folder / "workbook"
+
+    def course(self, *arguments, expect=0):
+        """Runs ./course and returns what it printed; its exit code must be `expect`."""
+        done = subprocess.run([*COURSE, "--workbook", self.workbook, *map(str, arguments)],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def solve(self, number, code=None):
+        """Writes lines into the workbook's place of an exercise; the solution where none are given."""
+        from course import exercises, marks
+
+        exercise = exercises.select_one(exercises.load(), number)
+        path = self.workbook / exercise.file
+        code = exercise.region.code if code is None else code.split("\n")
+        path.write_text(marks.with_code(path.read_text(), path, {number: code}))
+        return path

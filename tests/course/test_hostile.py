@@ -1,0 +1,172 @@
+"""Submissions that crash, never end, fill the disk, or want to read and write elsewhere."""
+
+import os
+import tarfile
+import time
+import unittest
+import zipfile
+
+
+from support import CourseTest
+
+from course import check, engine, exercises, grade, sandbox, submission
+
+CROSS = "shaders/geometry/vector.glsl"
+MEDIAN = "common/structure/split_median.cpp"
+ENDLESS_SHADER = """    real x = a.x;
+    for (int i = 0; i >= 0; i = i) {
+        for (int j = 0; j >= 0; j = j) {
+            for (int k = 0; k >= 0; k = k) {
+                x = x * real(0.5f) + a.y;
+            }
+        }
+    }
+    real y = x;
+    real z = x;"""
+
+
+class Sandbox(CourseTest):
+    def run_shell(self, script, **limits):
+        return sandbox.run(["/bin/sh", "-c", script], sandbox.Limits(**{"seconds": 10, **limits}),
+                           folder=self.folder)
+
+    def test_what_never_ends_is_stopped(self):
+        outcome = self.run_shell("while :; do :; done", seconds=1)
+        self.assertTrue(outcome.timed_out)
+        self.assertLess(outcome.seconds, 8)
+
+    def test_time_of_processors_is_limited_too(self):
+        outcome = self.run_shell("exec python3 -c 'while True: pass'", cpu_seconds=1)
+        self.assertTrue(outcome.timed_out)
+
+    def test_a_crash_is_a_signal(self):
+        self.assertEqual(self.run_shell("kill -SEGV $$").code, -11)
+
+    def test_endless_output_ends_at_the_limit(self):
+        outcome = self.run_shell("yes", file_bytes=1 << 20)
+        self.assertNotEqual(outcome.code, 0)
+        self.assertLessEqual(len(outcome.output), sandbox.MOST_BYTES_SHOWN)
+
+    def test_endless_files_end_at_the_limit(self):
+        self.run_shell("yes > big", file_bytes=1 << 20)
+        self.assertLessEqual((self.folder / "big").stat().st_size, 1 << 20)
+
+    def test_memory_is_limited(self):
+        outcome = self.run_shell("exec python3 -c 'b\"x\" * (3 << 30)'", memory_bytes=1 << 30)
+        self.assertNotEqual(outcome.code, 0)
+
+    def test_what_it_leaves_running_goes_too(self):
+        self.run_shell("(sleep 2; touch late) & exit 0")
+        time.sleep(3)
+        self.assertFalse((self.folder / "late").exists())
+
+
+class Archives(CourseTest):
+    def setUp(self):
+        super().setUp()
+        self.all = exercises.load()
+        self.target = self.folder / "target"
+        self.target.mkdir()
+
+    def unpacked(self, path):
+        submission.unpack(path, self.target, self.all)
+        return sorted(str(p.relative_to(self.target)) for p in self.target.rglob("*") if p.is_file())
+
+    def test_only_files_of_exercises_come_out_of_a_zip(self):
+        path = self.folder / "a.zip"
+        with zipfile.ZipFile(path, "w") as packed:
+            packed.writestr(CROSS, "cross")
+            packed.writestr("../../" + CROSS, "outside")
+            packed.writestr("/etc/passwd", "root")
+            packed.writestr("course", "import os")
+            packed.writestr("alice/" + MEDIAN, "median")
+        self.assertEqual(self.unpacked(path), sorted([CROSS, MEDIAN]))
+        self.assertEqual((self.target / CROSS).read_text(), "cross")
+
+    def test_a_link_in_a_tar_is_passed_over(self):
+        path = self.folder / "a.tar.gz"
+        with tarfile.open(path, "w:gz") as packed:
+            link = tarfile.TarInfo(CROSS)
+            link.type, link.linkname = tarfile.SYMTYPE, "/etc/passwd"
+            packed.addfile(link)
+        self.assertEqual(self.unpacked(path), [])
+
+    def test_a_link_in_a_folder_is_passed_over(self):
+        handed_in = self.folder / "mallory"
+        (handed_in / "shaders").mkdir(parents=True)
+        os.symlink("/etc", handed_in / "shaders/geometry")
+        secret = self.folder / "secret"
+        secret.mkdir()
+        (secret / "split_median.cpp").write_text("secret")
+        (handed_in / "common").mkdir()
+        os.symlink(secret, handed_in / "common/structure")
+        self.assertEqual(self.unpacked(handed_in), [])
+
+    def test_a_file_that_unpacks_to_gigabytes_is_cut_off_and_refused(self):
+        path = self.folder / "a.zip"
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
+            packed.writestr(CROSS, b" " * (100 << 20))
+        self.unpacked(path)
+        self.assertLess((self.target / CROSS).stat().st_size, 2 << 20)
+        exercise = exercises.select_one(self.all, "2.1")
+        result = check.check(engine.Engine(), exercise, self.target)
+        self.assertIn("larger than 1 MiB", result.message)
+
+    def test_what_is_no_archive_has_a_grade_and_a_reason(self):
+        path = self.folder / "a.zip"
+        path.write_bytes(b"PK\x03\x04 nothing")
+        graded = grade.grade_one(engine.Engine(), path, self.all[:2])
+        self.assertEqual(graded["score"], 0)
+        self.assertIn("cannot be unpacked", graded["details"][0]["message"])
+
+
+class Programs(CourseTest):
+    """Each grade is asked for by the command, so that it is seen to survive."""
+
+    def setUp(self):
+        super().setUp()
+        self.course("start")
+
+    def state(self, number, code):
+        self.solve(number, code)
+        printed = self.course("check", number, expect=1)
+        return printed.split("\n")[0].split(": ")[-1], printed
+
+    def test_endless_loops_in_a_shader_end(self):
+        state, printed = self.state("2.1", ENDLESS_SHADER)
+        self.assertIn(state, ("failed", "stopped"), printed)
+
+    def test_a_shader_cannot_include_other_files(self):
+        _, printed = self.state("2.1", '#include "/etc/passwd"')
+        self.assertIn("is not in the project's file", printed)
+        self.assertNotIn("root:", printed)
+
+    def test_a_builder_that_never_ends_is_stopped(self):
+        state, _ = self.state("6.5", "    volatile bool on = true;\n    while (on) {\n    }\n"
+                                     "    return BvhCut{0, range.items.size() / 2};")
+        self.assertEqual(state, "stopped")
+
+    def test_a_builder_that_crashes_is_told(self):
+        state, _ = self.state("6.5", "    if (range.items.size() > 1) {\n        __builtin_trap();\n"
+                                     "    }\n    return {};")
+        self.assertEqual(state, "crashed")
+
+    def test_a_builder_that_ends_the_program_has_given_no_answer(self):
+        state, _ = self.state("6.5", "    if (range.items.size() > 1) {\n        __builtin_exit(0);\n"
+                                     "    }\n    return {};")
+        self.assertEqual(state, "does not compile" if state == "does not compile" else "crashed")
+
+    def test_an_error_in_a_builder_names_the_line_of_the_workbook(self):
+        path = self.solve("6.5", "    return lost;")
+        line = path.read_text().split("\n").index("    return lost;") + 1
+        state, printed = self.state("6.5", "    return lost;")
+        self.assertEqual(state, "does not compile")
+        self.assertIn(f"split_median.cpp:{line}:", printed)
+
+    def test_the_solution_of_a_builder_passes_afterwards(self):
+        self.solve("6.5")
+        self.assertIn("6.5 Half of the triangles on each side: passed", self.course("check", "6.5"))
+
+
+if __name__ == "__main__":
+    unittest.main()
