@@ -32,7 +32,7 @@ glm::mat4 placement(const Box& box) {
 Scene sample_glass_bunny() {
     Scene bunny = sample_bunny();
     for (Material& material : bunny.materials) {
-        material = glass("bottle glass", 1.5f, {0.45f, 0.88f, 0.62f});
+        material = glass("bottle glass", 1.25f, {0.45f, 0.88f, 0.62f});
     }
     Scene scene = append_model({}, bunny, placement(bounds_of(bunny.corners)));
     const int floor = triangle_count(scene);
