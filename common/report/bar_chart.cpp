@@ -29,7 +29,7 @@ std::string script_of(const BarChart& chart, const std::filesystem::path& png) {
            << "set ylabel " << gnuplot_text(chart.y_label) << "\n"
            << "set datafile missing '?'\nset style data histograms\n"
            << "set style histogram clustered gap 1\nset style fill solid 0.85 noborder\n"
-           << "set grid ytics\nset yrange [0:*]\nset xtics rotate by -25\n"
+           << "set grid ytics\nset yrange [0:*]\nset xtics rotate by -25 nomirror\n"
            << "set key tmargin center horizontal\nplot ";
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         script << (i == 0 ? "" : ", ") << "$bars using " << i + 2 << ":xtic(1) title "
