@@ -29,11 +29,18 @@ Mirror mirror_of(const SceneBuffers& scene, const PackedStructure& packed) {
     if constexpr (requires { mirror.kd_ropes; }) {
         mirror.kd_ropes.texels = packed.integers.at("kd_ropes");
     }
+    if constexpr (requires { mirror.bvh_triangles; }) {
+        mirror.bvh_triangles.vectors = packed.integer_vectors.at("bvh_triangles");
+        mirror.bvh_node_count = packed.numbers.at("bvh_node_count");
+    }
     if constexpr (requires { mirror.bvh_nodes; }) {
         mirror.bvh_nodes.vectors = packed.integer_vectors.at("bvh_nodes");
-        mirror.bvh_triangles.vectors = packed.integer_vectors.at("bvh_triangles");
         mirror.bvh_parents.texels = packed.integers.at("bvh_parents");
-        mirror.bvh_node_count = packed.numbers.at("bvh_node_count");
+    }
+    if constexpr (requires { mirror.half_nodes; }) {
+        mirror.half_nodes.vectors = packed.integer_vectors.at("half_nodes");
+        mirror.half_lower = packed.points.at("half_lower");
+        mirror.half_size = packed.points.at("half_size");
     }
     return mirror;
 }

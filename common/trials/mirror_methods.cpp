@@ -3,6 +3,7 @@
 #include "mirror/bvh.h"
 #include "mirror/every_triangle.h"
 #include "mirror/grid.h"
+#include "mirror/half_bvh.h"
 #include "mirror/kd_tree.h"
 #include "mirror/packed_mirror.h"
 #include "mirror/triangle_tests.h"
@@ -58,6 +59,7 @@ const std::map<std::string, TraceByMirror>& mirror_walks() {
         {"bvh_ordered", trace<BvhOrdered<float>>},
         {"bvh_parent", trace<BvhParent<float>>},
         {"bvh_stack", trace<BvhStack<float>>},
+        {"half_bvh", trace<HalfBvh<float>>},
     };
     return walks;
 }
