@@ -3,6 +3,7 @@
 #
 #   ./run.sh                      installs what is missing, builds, and renders every chapter into out/
 #   ./run.sh 03 [OPTION...]       runs one chapter's program with its options; --help lists them
+#   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
 #   ./run.sh --no-install ...     installs nothing: lists what is missing, and stops if anything is
 #   ./run.sh --help               says this
 set -euo pipefail
@@ -13,7 +14,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,7s/^# \{0,1\}//p' run.sh
+  sed -n '2,8s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
@@ -27,8 +28,9 @@ if [ $# -gt 0 ]; then
   for folder in chapters/"$1"*/; do
     [ -d "$folder" ] && [[ $1 =~ ^[0-9][0-9] ]] && chapter=$(basename "$folder")
   done
+  [[ $1 =~ ^[a-z_]+$ ]] && [ -d "chapters/$1" ] && chapter=$1
   if [ -z "$chapter" ]; then
-    echo "run.sh: there is no chapter or option $1. The chapters: $(cd chapters && ls -d [0-9]* | xargs); see --help." >&2
+    echo "run.sh: there is no chapter or option $1. The chapters: $(cd chapters && ls -d */ | tr -d / | xargs); see --help." >&2
     exit 2
   fi
   shift

@@ -1,20 +1,13 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "hard_cases/ray_family.h"
 
 #include <glm/vec3.hpp>
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace raysteps {
-
-// Rays of one kind at a mesh.
-struct RayFamily {
-    std::string name;
-    std::vector<Ray> rays;
-};
 
 // Families that find the faults of triangle tests; random rays are nearly blind for them. Three
 // corners a triangle, one triangle at least. Origins lie in the box of the mesh, so mostly inside

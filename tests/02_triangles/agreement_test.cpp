@@ -1,10 +1,11 @@
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "reference/exact_intersection.h"
 #include "reference/exact_nearest.h"
 #include "support/compare_hits.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
-#include "support/soup.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,9 +1,10 @@
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "scene/load_scene.h"
 #include "scene/shapes.h"
 #include "support/expected_picture.h"
 #include "support/gpu_hits.h"
-#include "support/soup.h"
 
 #include "render/generate_rays.h"
 #include "render/show_hits.h"

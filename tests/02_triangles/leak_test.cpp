@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "hard_cases/leak_rays.h"
 #include "scene/shapes.h"
-#include "support/aimed_rays.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
 
@@ -24,8 +24,8 @@ TEST_CASE("no ray leaves a closed mesh through an edge or a corner", "[02][hard_
     const Mesh mesh = sphere({0.0f, 0.0f, 0.0f}, 2.0f, 6);
     const Scene scene = scene_of(mesh);
     const auto context = make_context(ContextKind::automatic);
-    const std::vector<Ray> at_edges = edge_aimed_rays(numbers, mesh, 0.9f, 100000);
-    const std::vector<Ray> at_corners = corner_aimed_rays(numbers, mesh, 0.9f, 100000);
+    const std::vector<Ray> at_edges = edge_aimed_rays(numbers, mesh, glm::vec3(0.9f), 100000);
+    const std::vector<Ray> at_corners = corner_aimed_rays(numbers, mesh, glm::vec3(0.9f), 100000);
     CHECK(count_misses(gpu_hits(scene, at_edges, "watertight")) == 0);
     CHECK(count_misses(gpu_hits(scene, at_corners, "watertight")) == 0);
     // The same rays find the leaks of a test that has some: they are aimed well.

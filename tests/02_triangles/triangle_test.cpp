@@ -1,9 +1,10 @@
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
 #include "support/same_bits.h"
-#include "support/soup.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

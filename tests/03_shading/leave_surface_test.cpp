@@ -1,9 +1,11 @@
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
+#include "hard_cases/surfaces.h"
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
 #include "scene/shapes.h"
 #include "support/mirror_hits.h"
-#include "support/soup.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,16 +16,6 @@ using namespace raysteps;
 namespace {
 
 using Mirror = mirror::EveryTriangleWatertight<float>;
-
-glm::vec3 point_on_sphere(RandomNumbers& numbers) {
-    while (true) {
-        const glm::vec3 point = numbers.in_cube();
-        const float squared = glm::dot(point, point);
-        if (squared <= 1.0f && squared > 0.01f) {
-            return point / std::sqrt(squared);
-        }
-    }
-}
 
 struct Outcome {
     long hits = 0;
@@ -36,40 +28,25 @@ struct Outcome {
 Outcome leave(RandomNumbers& numbers, float size, float offset, int count) {
     Outcome outcome;
     for (int i = 0; i < count; ++i) {
-        const glm::vec3 place = offset * point_on_sphere(numbers);
-        Mesh mesh;
-        for (int corner = 0; corner < 3; ++corner) {
-            mesh.corners.push_back(place + size * point_on_sphere(numbers));
-        }
-        mesh.normals.resize(3, {0.0f, 0.0f, 1.0f});
-        Scene scene;
-        scene.corners = mesh.corners;
-        scene.normals = mesh.normals;
-        scene.triangle_materials = {0};
-        scene.materials.resize(1);
-        const mirror::SceneBuffers buffers(scene);
+        const SeenSurface seen = any_triangle(numbers, size, offset);
+        const std::vector<glm::vec3>& corners = seen.mesh.corners;
+        const mirror::SceneBuffers buffers(add_mesh(Scene{}, seen.mesh, Material{}));
         Mirror mirror = mirror::mirror_of<Mirror>(buffers);
-
-        const float u = numbers.unit();
-        const float v = (1.0f - u) * numbers.unit();
-        const glm::vec3 inside = mesh.corners[0] + u * (mesh.corners[1] - mesh.corners[0]) +
-                                 v * (mesh.corners[2] - mesh.corners[0]);
-        const glm::vec3 eye = inside + 3.0f * size * point_on_sphere(numbers);
-        const auto ray = mirror::to_mirror<Mirror>({eye, inside - eye, 0.0f, no_end});
+        const auto ray = mirror::to_mirror<Mirror>(seen.ray);
         const auto hit = mirror.closest_hit(ray);
         if (!mirror.is_hit(hit)) {
             continue; // aimed at an edge, and rounded past it
         }
         ++outcome.hits;
         const auto surface = mirror.surface_at(ray, hit);
-        glm::vec3 direction = point_on_sphere(numbers);
+        glm::vec3 direction = any_direction(numbers);
         if (glm::dot(direction, surface.geometric_normal) < 0.0f) {
             direction = -direction;
         }
         const auto leaving = mirror::to_mirror<Mirror>({surface.origin, direction, 0.0f, no_end});
         outcome.rehits += mirror.is_hit(mirror.closest_hit(leaving)) ? 1 : 0;
-        const double moved = static_cast<double>(
-            mirror.leaving_distance(mesh.corners[0], mesh.corners[1], mesh.corners[2]));
+        const double moved =
+            static_cast<double>(mirror.leaving_distance(corners[0], corners[1], corners[2]));
         outcome.farthest = std::max(outcome.farthest, moved / static_cast<double>(size));
     }
     return outcome;
@@ -102,28 +79,17 @@ TEST_CASE("a ray that leaves a triangle does not hit its neighbour in the plane"
     long rehits = 0;
     long hits = 0;
     for (int i = 0; i < 100000; ++i) {
-        // A parallelogram of two triangles anywhere, in any direction.
-        const glm::vec3 a = 10.0f * numbers.in_cube();
-        const glm::vec3 b = a + numbers.in_cube();
-        const glm::vec3 d = a + numbers.in_cube();
-        const glm::vec3 c = b + (d - a);
-        Scene scene;
-        scene.corners = {a, b, c, a, c, d};
-        scene.normals.resize(6, {0.0f, 0.0f, 1.0f});
-        scene.triangle_materials = {0, 0};
-        scene.materials.resize(1);
-        const mirror::SceneBuffers buffers(scene);
+        const SeenSurface seen = any_parallelogram(numbers);
+        const mirror::SceneBuffers buffers(add_mesh(Scene{}, seen.mesh, Material{}));
         Mirror mirror = mirror::mirror_of<Mirror>(buffers);
-        const glm::vec3 inside = a + numbers.unit() * (b - a) + numbers.unit() * (d - a);
-        const glm::vec3 eye = inside + 3.0f * point_on_sphere(numbers);
-        const auto ray = mirror::to_mirror<Mirror>({eye, inside - eye, 0.0f, no_end});
+        const auto ray = mirror::to_mirror<Mirror>(seen.ray);
         const auto hit = mirror.closest_hit(ray);
         if (!mirror.is_hit(hit)) {
             continue;
         }
         ++hits;
         const auto surface = mirror.surface_at(ray, hit);
-        glm::vec3 direction = point_on_sphere(numbers);
+        glm::vec3 direction = any_direction(numbers);
         if (glm::dot(direction, surface.geometric_normal) < 0.0f) {
             direction = -direction;
         }
@@ -138,21 +104,18 @@ TEST_CASE("a ray that leaves a triangle does not hit its neighbour in the plane"
 TEST_CASE("a surface close behind another is still hit", "[03][hard_case]") {
     // Two spheres of radius 1 and 1.00004: a ray that leaves the inner one outwards meets the outer
     // one.
-    const Mesh inner = sphere({0.0f, 0.0f, 0.0f}, 1.0f, 8);
-    const Mesh outer = sphere({0.0f, 0.0f, 0.0f}, 1.00004f, 8);
-    const Scene both = add_mesh(add_mesh(Scene{}, inner, Material{}), outer, Material{});
-    const Scene one = add_mesh(Scene{}, inner, Material{});
+    const Scene both = add_mesh(Scene{}, close_spheres(4e-5f), Material{});
+    const int inner_triangles = triangle_count(both) / 2;
     const mirror::SceneBuffers buffers(both);
-    const mirror::SceneBuffers buffers_of_one(one);
     Mirror mirror = mirror::mirror_of<Mirror>(buffers);
-    Mirror mirror_of_one = mirror::mirror_of<Mirror>(buffers_of_one);
-    const int inner_triangles = static_cast<int>(inner.corners.size() / 3);
+    Mirror mirror_of_one = mirror;
+    mirror_of_one.triangle_count = inner_triangles;
     const int seed = 10;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
     for (int i = 0; i < 2000; ++i) {
         // Onto the outside of the inner sphere, as a mirror between the two would see it.
-        const glm::vec3 outside = 3.0f * point_on_sphere(numbers);
+        const glm::vec3 outside = 3.0f * any_direction(numbers);
         const auto ray = mirror::to_mirror<Mirror>({outside, -outside, 0.0f, no_end});
         const auto hit = mirror_of_one.closest_hit(ray);
         REQUIRE(mirror.is_hit(hit));

@@ -12,7 +12,7 @@ std::size_t check_families(int seed, const Scene& scene, double density, int cou
     RandomNumbers numbers(seed);
     std::vector<RayFamily> families = ray_families(numbers, scene.corners, count);
     const Grid shaped = build_grid(scene.corners, with_density(density));
-    for (RayFamily& family : lattice_families(numbers, shaped.shape, count)) {
+    for (RayFamily& family : lattice_families(numbers, lattice_of(shaped.shape), count)) {
         families.push_back(std::move(family));
     }
     std::size_t hits = 0;
@@ -46,7 +46,7 @@ TEST_CASE("the grid finds the hits of the loop over every triangle among loose t
 TEST_CASE("the grid finds the hits of the loop over every triangle on slivers", "[04][agreement]") {
     const int seed = 3;
     RandomNumbers numbers(seed);
-    const Scene scene = scene_of(slivers(numbers, 200));
+    const Scene scene = scene_of(random_slivers(numbers, 200));
     for (const double density : {4.0, 64.0}) {
         CHECK(check_families(seed, scene, density, 1500) > 3000);
     }

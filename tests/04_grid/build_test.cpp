@@ -1,10 +1,11 @@
 #include "catch.h"
 #include "geometry/grid_plane.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "scene/shapes.h"
 #include "structure/build_grid.h"
 #include "structure/check_grid.h"
 #include "support/error_of.h"
-#include "support/soup.h"
 
 #include <chrono>
 #include <cstdlib>

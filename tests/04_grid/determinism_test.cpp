@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "grid_hits.h"
+#include "hard_cases/coincident.h"
 #include "scene/shapes.h"
-#include "support/triangle_orders.h"
 
 using namespace raysteps;
 
@@ -9,7 +9,7 @@ TEST_CASE("of coincident triangles the smallest is hit in any order", "[04][hard
     const int seed = 11;
     CAPTURE(seed);
     const Mesh mesh = tripled(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3));
-    for (const Order order : all_orders) {
+    for (const TriangleOrder order : all_orders) {
         RandomNumbers numbers(seed);
         CAPTURE(static_cast<int>(order));
         const Scene scene = scene_of(reordered(mesh, order));

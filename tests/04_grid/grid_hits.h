@@ -1,11 +1,12 @@
 #pragma once
 
 #include "catch.h"
+#include "hard_cases/lattice_rays.h"
+#include "hard_cases/loose_triangles.h"
 #include "mirror/grid.h"
 #include "structure/build_grid.h"
 #include "structure/reach.h"
 #include "support/gpu_hits.h"
-#include "support/ray_families.h"
 #include "support/walk_hits.h"
 
 #include <cstddef>
@@ -34,10 +35,6 @@ inline GridOptions with_density(double density) {
     return options;
 }
 
-inline Lattice lattice_of(const GridShape& shape) {
-    return {shape.lower, shape.cell_size, shape.cells};
-}
-
 // How the walks through a grid compare with the loop over every triangle.
 struct Agreement {
     std::size_t hits = 0; // of the loop
@@ -62,16 +59,6 @@ inline std::size_t check_agreement(const Scene& scene, const Grid& grid,
     CHECK(agreement.different == 0);
     CHECK(agreement.different_by_mailbox == 0);
     return agreement.hits;
-}
-
-// The families of rays that know of the grid's planes.
-inline std::vector<RayFamily> lattice_families(RandomNumbers& numbers, const GridShape& shape,
-                                               int count) {
-    const Lattice lattice = lattice_of(shape);
-    const std::vector<Ray> through = rays_through_lattice_points(numbers, lattice, count);
-    return {{"through lattice points", through},
-            {"back through lattice points", reversed(through)},
-            {"in lattice planes", rays_in_lattice_planes(numbers, lattice, count)}};
 }
 
 } // namespace raysteps

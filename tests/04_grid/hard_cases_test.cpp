@@ -1,23 +1,17 @@
 #include "catch.h"
 #include "grid_hits.h"
+#include "hard_cases/across_cells.h"
 #include "scene/shapes.h"
 #include "support/hard_scenes.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace raysteps;
 
 TEST_CASE("G1 a hit beyond the cell does not end the walk", "[04][hard_case]") {
     // Triangle 0 is listed in the first cell and hit in the fourth; triangle 1 lies between.
-    const Scene scene = scene_of_corners({{1.0f, 0.1f, 0.9f},
-                                          {1.0f, 0.9f, 0.9f},
-                                          {15.0f, 0.5f, 0.1f},
-                                          {6.0f, 0.4f, 0.4f},
-                                          {6.0f, 0.6f, 0.4f},
-                                          {6.0f, 0.5f, 0.7f},
-                                          {16.0f, 0.0f, 0.0f},
-                                          {16.0f, 1.0f, 0.0f},
-                                          {16.0f, 0.0f, 1.0f}});
+    const Scene scene = scene_of(long_triangle_before_a_small_one());
     const std::vector<Ray> rays{{{0.0f, 0.5f, 0.5f}, {1.0f, 0.0f, 0.0f}, 0.0f, no_end}};
     const Grid grid = grid_for(scene, rays, with_resolution(4));
     REQUIRE(grid.shape.cells == glm::ivec3(4, 1, 1));
@@ -48,15 +42,9 @@ TEST_CASE("G3 rays through lattice points hit a wall on the way there and back",
     const int seed = 3;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    // Two triangles that share the edge y = z, far larger than the lattice of the loose ones, so
-    // that each ray that goes along x meets one of them, inside or on the shared edge.
-    Mesh mesh = random_triangles(numbers, 60);
-    const std::vector<glm::vec3> corners{{0.0f, -40.0f, -40.0f}, {0.0f, 40.0f, -40.0f},
-                                         {0.0f, 40.0f, 40.0f},   {0.0f, -40.0f, -40.0f},
-                                         {0.0f, 40.0f, 40.0f},   {0.0f, -40.0f, 40.0f}};
-    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
-    mesh.normals.resize(mesh.corners.size(), {1.0f, 0.0f, 0.0f});
-    const Scene scene = scene_of(mesh);
+    // The wall is far larger than the lattice of the loose triangles, so that each ray that goes
+    // along x meets it, inside or on the edge that its two triangles share.
+    const Scene scene = scene_of(wall_behind_loose_triangles(numbers));
     const Grid grid = grid_for(scene, {}, with_resolution(64));
     const GridShape middle{glm::vec3(-2.0f, -5.0f, -5.0f), grid.shape.cell_size,
                            glm::ivec3(grid.shape.cells.x, 8, 8), 0.0};
@@ -77,35 +65,21 @@ TEST_CASE("G4 triangles in the planes of cells and on the far face are hit", "[0
     const int seed = 4;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    std::vector<glm::vec3> corners = box({-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}).corners;
-    const GridShape shape = grid_for(scene_of_corners(corners), {}, with_resolution(6)).shape;
-    REQUIRE(shape.cells == glm::ivec3(6));
-    const Lattice lattice = lattice_of(shape);
-    // Corners at lattice points, but for the outermost ones, which are outside of the box: the grid
-    // stays the same.
-    const Lattice inner{shape.lower + shape.cell_size, shape.cell_size, glm::ivec3(4)};
-    for (int i = 0; i < 100; ++i) {
-        const int axis = i % 3;
-        glm::vec3 a = any_lattice_point(numbers, inner);
-        for (int corner = 0; corner < 3; ++corner) {
-            glm::vec3 point = any_lattice_point(numbers, inner);
-            point[axis] = a[axis];
-            corners.push_back(point);
-        }
-    }
-    const Scene scene = scene_of_corners(corners);
+    const Scene scene = scene_of(triangles_in_planes_of_cells(numbers, 6));
+    const std::vector<glm::vec3>& corners = scene.corners;
     const Grid grid = grid_for(scene, {}, with_resolution(6));
-    REQUIRE(grid.shape.lower == shape.lower);
-    REQUIRE(grid.shape.cell_size == shape.cell_size);
+    REQUIRE(grid.shape.cells == glm::ivec3(6));
+    // The triangles behind those of the box have corners where planes of this very grid meet.
+    const float place = corners[36].x - grid.shape.lower.x;
+    REQUIRE(std::abs(std::remainder(place, grid.shape.cell_size.x)) < 1e-5f);
     for (const RayFamily& family : ray_families(numbers, corners, 1500)) {
         CAPTURE(family.name);
         CHECK(check_agreement(scene, grid, family.rays) > 300);
     }
-    for (const RayFamily& family : lattice_families(numbers, shape, 1500)) {
+    for (const RayFamily& family : lattice_families(numbers, lattice_of(grid.shape), 1500)) {
         CAPTURE(family.name);
         CHECK(check_agreement(scene, grid, family.rays) > 300);
     }
-    CHECK(lattice.cells == glm::ivec3(6));
 }
 
 TEST_CASE("G7 a flat scene is hit wherever the loop hits it", "[04][hard_case]") {
@@ -127,13 +101,7 @@ TEST_CASE("G9 a teapot in a stadium is right however slow", "[04][hard_case]") {
     const int seed = 9;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    // A small sphere in the middle of a few triangles that are a thousand times as large.
-    Mesh mesh = sphere({0.3f, 0.2f, 0.1f}, 0.5f, 7);
-    for (const glm::vec3& corner : random_triangles(numbers, 20).corners) {
-        mesh.corners.push_back(500.0f * corner);
-        mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
-    }
-    const Scene scene = scene_of(mesh);
+    const Scene scene = scene_of(teapot_in_a_stadium(numbers));
     std::vector<Ray> rays;
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 origin = 5.0f * numbers.in_cube();

@@ -1,8 +1,9 @@
 #include "catch.h"
 #include "geometry/grid_plane.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "structure/clip_triangle.h"
 #include "structure/grid_overlap.h"
-#include "support/soup.h"
 
 #include <set>
 

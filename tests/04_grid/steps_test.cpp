@@ -147,7 +147,7 @@ TEST_CASE("G10 a walk takes at most one step a cell along each axis", "[04][hard
     auto counted = mirror::mirror_of<mirror::GridCounted<float>>(buffers, grid);
     const glm::ivec3 cells = grid.shape.cells;
     unsigned most = 0;
-    for (const RayFamily& family : lattice_families(numbers, grid.shape, 2000)) {
+    for (const RayFamily& family : lattice_families(numbers, lattice_of(grid.shape), 2000)) {
         for (const Ray& ray : family.rays) {
             counted.observe_from(mirror::uvec4(0U));
             counted.closest_hit(mirror::to_mirror<decltype(counted)>(ray));

@@ -1,9 +1,9 @@
 #include "catch.h"
+#include "hard_cases/split_plane_rays.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
 #include "support/hard_scenes.h"
 #include "support/nonsense_answers.h"
-#include "tree_rays.h"
 
 using namespace raysteps;
 
@@ -53,7 +53,7 @@ TEST_CASE("all walks find the hits of the loop on slivers", "[05][agreement]") {
     const int seed = 7;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = scene_of(slivers(numbers, 200));
+    const Scene scene = scene_of(random_slivers(numbers, 200));
     CHECK(check_families(seed, scene, {}, 800) > 1500);
     CHECK(check_families(seed, scene, with_small_leaves(), 800) > 1500);
 }

@@ -1,7 +1,7 @@
 #include "catch.h"
+#include "hard_cases/coincident.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
-#include "support/triangle_orders.h"
 
 using namespace raysteps;
 
@@ -10,7 +10,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every walk in any 
     const int seed = 21;
     CAPTURE(seed);
     const Mesh mesh = tripled(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3));
-    for (const Order order : all_orders) {
+    for (const TriangleOrder order : all_orders) {
         RandomNumbers numbers(seed);
         const Scene scene = scene_of(reordered(mesh, order));
         for (const RayFamily& family : ray_families(numbers, scene.corners, 500)) {
@@ -26,14 +26,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every walk in any 
 TEST_CASE("ten thousand copies of a triangle make one leaf and the first copy is hit",
           "[05][hard_case]") {
     const int copies = 10000;
-    Scene scene;
-    for (int i = 0; i < copies; ++i) {
-        scene.corners.insert(scene.corners.end(),
-                             {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.5f}, {0.0f, 1.0f, 0.25f}});
-    }
-    scene.normals.assign(scene.corners.size(), {0.0f, 0.0f, 1.0f});
-    scene.triangle_materials.assign(static_cast<std::size_t>(copies), 0);
-    scene.materials.resize(1);
+    const Scene scene = scene_of(copies_of_a_triangle(copies));
     KdOptions options = with_small_leaves();
     const KdTree tree = build_kd_tree(scene.corners, options);
     CHECK(tree.references.size() == static_cast<std::size_t>(copies));

@@ -1,10 +1,13 @@
 #include "catch.h"
+#include "hard_cases/across_cells.h"
+#include "hard_cases/deep_trees.h"
+#include "hard_cases/lattice_rays.h"
+#include "hard_cases/split_plane_rays.h"
 #include "kd_hits.h"
 #include "recorded_walks.h"
 #include "scene/shapes.h"
 #include "structure/check_kd_tree.h"
 #include "support/hard_scenes.h"
-#include "tree_rays.h"
 
 using namespace raysteps;
 
@@ -46,15 +49,7 @@ TEST_CASE("K4 triangles that lie in planes of splits are hit", "[05][hard_case]"
     const int seed = 54;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    // Walls of quads at whole coordinates, upright on each axis: every good plane is one of theirs.
-    Mesh mesh;
-    for (int i = 0; i < 5; ++i) {
-        const auto at = static_cast<float>(i);
-        mesh = join(mesh, quad({at, 0, 0}, {at, 4, 0}, {at, 4, 4}, {at, 0, 4}));
-        mesh = join(mesh, quad({0, at, 0}, {0, at, 4}, {4, at, 4}, {4, at, 0}));
-        mesh = join(mesh, quad({0, 0, at}, {4, 0, at}, {4, 4, at}, {0, 4, at}));
-    }
-    const Scene scene = scene_of(mesh);
+    const Scene scene = scene_of(walls_at_whole_coordinates());
     for (const KdOptions& options : {KdOptions{}, with_median(), with_small_leaves()}) {
         const KdTree tree = build_kd_tree(scene.corners, options);
         CHECK(check_kd_tree(tree, scene.corners).empty());
@@ -73,22 +68,21 @@ TEST_CASE("K4 triangles that lie in planes of splits are hit", "[05][hard_case]"
 TEST_CASE("K5 no split equals a bound and the builder ends", "[05][hard_case]") {
     // A box around its own faces, split as often as can be: each plane that lies in a face of the
     // box is a bound of some node.
-    const Mesh mesh =
-        join(box(glm::vec3(0.0f), glm::vec3(1.0f)), box(glm::vec3(0.0f), glm::vec3(0.5f)));
+    const std::vector<glm::vec3> corners = box_in_the_corner_of_a_box();
     KdOptions options = with_small_leaves();
     options.depth_limit = 64;
     options.bad_splits = 16;
     for (const KdSplit split : {KdSplit::area, KdSplit::median}) {
         options.split = split;
         options.depth_limit = split == KdSplit::area ? 64 : 12;
-        const KdTree tree = build_kd_tree(mesh.corners, options);
+        const KdTree tree = build_kd_tree(corners, options);
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
             const KdNode& node = tree.nodes[i];
             const bool inside = is_leaf(node) || (node.split > tree.boxes[i].lower[node.axis] &&
                                                   node.split < tree.boxes[i].upper[node.axis]);
             CHECK(inside);
         }
-        CHECK(check_kd_tree(tree, mesh.corners).empty());
+        CHECK(check_kd_tree(tree, corners).empty());
     }
 }
 
@@ -167,23 +161,14 @@ TEST_CASE("K7 a ray that is one point long is answered", "[05][hard_case]") {
 TEST_CASE("K8 a hit beyond the exit of its leaf does not end the walk", "[05][hard_case]") {
     // A long triangle reaches through all leaves; a small one before its far end lies in a later
     // leaf and is nearer. A walk that took the first hit of the first leaf would take the long one.
-    Mesh mesh = triangle({0, 0, 0}, {10, 0, 10}, {0, 10, 0});
-    const glm::vec3 far_point(6.0f, 1.0f, 5.75f);
-    mesh =
-        join(mesh, triangle(far_point + glm::vec3(-0.1f, 0, 0), far_point + glm::vec3(0.1f, 0, 0),
-                            far_point + glm::vec3(0, 0.1f, 0)));
     RandomNumbers numbers(58);
-    for (int i = 0; i < 50; ++i) { // clutter that makes the builder split
-        const glm::vec3 place(10.0f * numbers.unit(), 5.0f + 5.0f * numbers.unit(), -2.0f);
-        mesh = join(mesh,
-                    triangle(place, place + glm::vec3(0.1f, 0, 0), place + glm::vec3(0, 0.1f, 0)));
-    }
+    const auto [mesh, small] = long_triangle_before_a_small_one_among_clutter(numbers);
     const Scene scene = scene_of(mesh);
     const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
     const glm::vec3 origin(-1.0f, 1.0f, 0.5f);
     std::vector<Ray> rays;
     for (int i = 0; i < 500; ++i) {
-        const glm::vec3 target = far_point + glm::vec3(0.05f, 0.05f, 0.0f) * numbers.in_cube();
+        const glm::vec3 target = small + glm::vec3(0.05f, 0.05f, 0.0f) * numbers.in_cube();
         rays.push_back({origin, target - origin, 0.0f, no_end});
     }
     const Agreement agreement = agreement_of(scene, tree, rays);

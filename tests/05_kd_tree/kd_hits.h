@@ -1,10 +1,11 @@
 #pragma once
 
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "mirror/kd_tree.h"
 #include "structure/build_kd_tree.h"
 #include "structure/reach.h"
 #include "support/gpu_hits.h"
-#include "support/ray_families.h"
 #include "support/walk_hits.h"
 
 #include <algorithm>

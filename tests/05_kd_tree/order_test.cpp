@@ -1,8 +1,8 @@
 #include "catch.h"
+#include "hard_cases/split_plane_rays.h"
 #include "kd_hits.h"
 #include "recorded_walks.h"
 #include "scene/shapes.h"
-#include "tree_rays.h"
 
 using namespace raysteps;
 

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "hard_cases/deep_trees.h"
 #include "kd_hits.h"
 #include "recorded_walks.h"
 #include "scene/shapes.h"
@@ -13,11 +14,7 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
     const int seed = 59;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    Mesh mesh = triangle({0, 0, 0}, {0, 0.25f, 0}, {0, 0, 0.25f});
-    for (float x = 1.0f; x < 16384.0f; x *= 2.0f) {
-        mesh = join(mesh, triangle({x, 0, 0}, {x, 0.25f, 0}, {x, 0, 0.25f}));
-    }
-    const Scene scene = scene_of(mesh);
+    const Scene scene = scene_of_corners(triangles_at_doubling_distances());
     KdOptions options = with_median();
     options.leaf_triangles = 0;
     const KdTree tree = build_kd_tree(scene.corners, options);

@@ -1,5 +1,7 @@
 #include "build_trees.h"
 #include "catch.h"
+#include "hard_cases/coincident.h"
+#include "hard_cases/deep_trees.h"
 #include "structure/bvh_item.h"
 
 #include <algorithm>
@@ -8,37 +10,6 @@
 using namespace raysteps;
 
 namespace {
-
-// Triangles around the origin, each with its own size: their boxes have the same centre, exactly.
-std::vector<glm::vec3> concentric(int seed, int count) {
-    RandomNumbers numbers(seed);
-    std::vector<glm::vec3> corners;
-    for (int i = 0; i < count; ++i) {
-        const std::vector<glm::vec3> own = triangle_around(glm::vec3(0.0f), numbers.in_cube());
-        corners.insert(corners.end(), own.begin(), own.end());
-    }
-    return corners;
-}
-
-std::vector<glm::vec3> copies(int count) {
-    std::vector<glm::vec3> corners;
-    for (int i = 0; i < count; ++i) {
-        corners.insert(corners.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    }
-    return corners;
-}
-
-// Triangle i at 2^i along each axis, of that size. The padding, 2^-17 of all, leaves 17 of the
-// sizes to be told apart.
-std::vector<glm::vec3> at_powers_of_two() {
-    std::vector<glm::vec3> corners;
-    for (int i = -60; i <= 60; ++i) {
-        const float size = std::ldexp(1.0f, i);
-        const std::vector<glm::vec3> own = triangle_around(glm::vec3(size), glm::vec3(0.1f * size));
-        corners.insert(corners.end(), own.begin(), own.end());
-    }
-    return corners;
-}
 
 // How often the walk from the root to all leaves comes to each node.
 std::vector<int> arrivals(const Bvh& bvh) {
@@ -64,7 +35,7 @@ TEST_CASE("V1 a million equal centres are halved until leaves are small", "[06][
     const int count = 1000000;
     for (const bool equal_sizes : {true, false}) {
         const std::vector<glm::vec3> corners =
-            equal_sizes ? copies(count) : concentric(seed, count);
+            equal_sizes ? copies_of_a_triangle(count).corners : concentric_triangles(seed, count);
         for (const BvhSplit split : {BvhSplit::median, BvhSplit::binned, BvhSplit::sweep}) {
             CAPTURE(equal_sizes, static_cast<int>(split));
             const BvhOptions options = with_split(split);
@@ -81,11 +52,12 @@ TEST_CASE("V1 copies do not make a chain of a tree that grows by insertion", "[0
     CAPTURE(seed);
     const int count = 200000;
     const BvhOptions options = with_split(BvhSplit::insertion);
-    const Bvh bvh = build_bvh(copies(count), options);
-    CHECK(first_fault(bvh, copies(count)).empty());
+    const std::vector<glm::vec3> copies = copies_of_a_triangle(count).corners;
+    const Bvh bvh = build_bvh(copies, options);
+    CHECK(first_fault(bvh, copies).empty());
     CHECK(measure_bvh(bvh, options).depth <= levels_of_halving(count, options) + 1);
-    const std::vector<glm::vec3> shells = concentric(seed, count);
-    CHECK(measure_bvh(build_bvh(shells, options), options).depth <= options.depth_limit);
+    const std::vector<glm::vec3> nested = concentric_triangles(seed, count);
+    CHECK(measure_bvh(build_bvh(nested, options), options).depth <= options.depth_limit);
 }
 
 TEST_CASE("V2 trees of no triangle and of one are valid", "[06][hard_case]") {
@@ -110,7 +82,7 @@ TEST_CASE("V2 trees of no triangle and of one are valid", "[06][hard_case]") {
 
 TEST_CASE("V3 triangles at powers of two make a deep tree unless the depth is limited",
           "[06][hard_case]") {
-    const std::vector<glm::vec3> corners = at_powers_of_two();
+    const std::vector<glm::vec3> corners = triangles_at_powers_of_two();
     for (const BvhSplit split : all_splits) {
         CAPTURE(static_cast<int>(split));
         BvhOptions options = with_split(split);
@@ -134,12 +106,7 @@ TEST_CASE("V3 triangles at powers of two make a deep tree unless the depth is li
 TEST_CASE("V3 a chain of a hundred thousand nodes is no recursion", "[06][hard_case]") {
     // Each box holds all before it, so the cheapest place is above all of them.
     const int count = 100000;
-    std::vector<glm::vec3> corners;
-    for (int i = 1; i <= count; ++i) {
-        const std::vector<glm::vec3> own =
-            triangle_around(glm::vec3(0.0f), glm::vec3(static_cast<float>(i)));
-        corners.insert(corners.end(), own.begin(), own.end());
-    }
+    const std::vector<glm::vec3> corners = shells(count);
     BvhOptions options = with_split(BvhSplit::insertion);
     options.insertion_order = InsertionOrder::as_given;
     options.leaf_triangles = 1;
@@ -155,14 +122,7 @@ TEST_CASE("V3 a chain of a hundred thousand nodes is no recursion", "[06][hard_c
 
 TEST_CASE("V4 areas that are no floats part two heaps all the same", "[06][hard_case]") {
     CHECK(surface_area({glm::vec3(-1e30f), glm::vec3(1e30f)}) == Approx(24e60));
-    RandomNumbers numbers(73);
-    std::vector<glm::vec3> corners;
-    for (int i = 0; i < 64; ++i) {
-        const glm::vec3 heap(i % 2 == 0 ? -8.0f : 8.0f, 0.0f, 0.0f);
-        for (const glm::vec3& corner : triangle_around(heap + numbers.in_cube(), {1, 1, 1})) {
-            corners.push_back(1e29f * corner);
-        }
-    }
+    const std::vector<glm::vec3> corners = heaps_at_the_end_of_floats(73);
     for (const BvhSplit split : all_splits) {
         CAPTURE(static_cast<int>(split));
         const BvhOptions options = with_split(split);

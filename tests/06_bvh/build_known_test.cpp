@@ -1,5 +1,6 @@
 #include "build_trees.h"
 #include "catch.h"
+#include "hard_cases/deep_trees.h"
 #include "structure/padding.h"
 
 #include <algorithm>

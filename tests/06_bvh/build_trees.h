@@ -1,10 +1,10 @@
 #pragma once
 
+#include "hard_cases/loose_triangles.h"
 #include "structure/build_bvh.h"
 #include "structure/bvh_cut.h"
 #include "structure/check_bvh.h"
 #include "structure/measure_bvh.h"
-#include "support/soup.h"
 
 #include <algorithm>
 #include <array>
@@ -55,11 +55,6 @@ inline bool same_tree(const Bvh& a, const Bvh& b) {
 inline int levels_of_halving(std::size_t triangles, const BvhOptions& options) {
     return static_cast<int>(
         std::ceil(std::log2(std::ceil(static_cast<double>(triangles) / options.leaf_triangles))));
-}
-
-// Triangles whose boxes have the sides 2 a and the middle `center`, but for rounding.
-inline std::vector<glm::vec3> triangle_around(const glm::vec3& center, const glm::vec3& a) {
-    return {center - a, center + a, center + glm::vec3(a.x, -a.y, a.z)};
 }
 
 inline std::vector<glm::vec3> random_corners(int seed, int triangles) {

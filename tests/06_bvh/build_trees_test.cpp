@@ -1,10 +1,10 @@
 #include "build_trees.h"
 #include "catch.h"
+#include "hard_cases/ray_families.h"
 #include "mirror/every_triangle.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"
 #include "support/mirror_hits.h"
-#include "support/ray_families.h"
 
 #include <rapidcheck.h>
 

@@ -53,7 +53,7 @@ TEST_CASE("all BVH walks find the hits of the loop on slivers", "[06][agreement]
     const int seed = 4;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = scene_of(slivers(numbers, 300));
+    const Scene scene = scene_of(random_slivers(numbers, 300));
     CHECK(check_families(seed, scene, {}, 800) > 1500);
 }
 

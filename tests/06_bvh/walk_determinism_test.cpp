@@ -1,8 +1,8 @@
 #include "build_trees.h"
 #include "bvh_hits.h"
 #include "catch.h"
+#include "hard_cases/coincident.h"
 #include "scene/shapes.h"
-#include "support/triangle_orders.h"
 
 using namespace raysteps;
 
@@ -13,7 +13,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every BVH walk in 
     const Mesh mesh = tripled(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3));
     BvhOptions options;
     options.leaf_triangles = 1; // copies come into leaves of their own
-    for (const Order order : all_orders) {
+    for (const TriangleOrder order : all_orders) {
         RandomNumbers numbers(seed);
         const Scene scene = scene_of(reordered(mesh, order));
         for (const RayFamily& family : ray_families(numbers, scene.corners, 400)) {
@@ -28,14 +28,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every BVH walk in 
 
 TEST_CASE("of ten thousand copies of a triangle the first is hit by every BVH walk",
           "[06][hard_case]") {
-    const int copies = 10000;
-    Mesh mesh;
-    for (int i = 0; i < copies; ++i) {
-        mesh.corners.insert(mesh.corners.end(),
-                            {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.5f}, {0.0f, 1.0f, 0.25f}});
-    }
-    mesh.normals.assign(mesh.corners.size(), {0.0f, 0.0f, 1.0f});
-    const Scene scene = scene_of(mesh);
+    const Scene scene = scene_of(copies_of_a_triangle(10000));
     const std::vector<Ray> rays{{{0.25f, 0.25f, -1.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end},
                                 {{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, no_end}};
     const mirror::SceneBuffers buffers(scene);

@@ -1,8 +1,9 @@
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "scene/shapes.h"
 #include "support/compare_hits.h"
 #include "support/gpu_hits.h"
-#include "support/soup.h"
 
 using namespace raysteps;
 

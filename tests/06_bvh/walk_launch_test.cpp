@@ -1,5 +1,6 @@
 #include "catch.h"
 #include "scene/shapes.h"
+#include "structure/padding.h"
 #include "support/nonsense_answers.h"
 #include "walk_counted.h"
 

@@ -1,9 +1,10 @@
 #include "structure/half_bvh.h"
 
 #include "catch.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "scene/random_numbers.h"
 #include "structure/families.h"
-#include "support/soup.h"
 
 #include <cmath>
 

@@ -4,13 +4,14 @@
 #include "accuracy/triangle_knob.h"
 #include "catch.h"
 #include "gpu/context.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "mirror/mirror_scene.h"
 #include "reference/exact_nearest.h"
 #include "render/trace_rays.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/same_bits.h"
-#include "support/soup.h"
 
 #include <map>
 

@@ -1,6 +1,9 @@
 #include "catch.h"
 #include "contenders.h"
 #include "gpu/context.h"
+#include "hard_cases/coincident.h"
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "measure/ray_kinds.h"
 #include "mirrors.h"
 #include "plane_families.h"
@@ -9,8 +12,6 @@
 #include "scene/sample_scenes.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
-#include "support/ray_families.h"
-#include "support/triangle_orders.h"
 #include "support/walk_hits.h"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ std::vector<Scene> in_three_orders(const Scene& scene) {
     Mesh mesh;
     mesh.corners = scene.corners;
     mesh.normals = scene.normals;
-    return {scene, scene_of(reordered(mesh, Order::backward)),
-            scene_of(reordered(mesh, Order::shuffled))};
+    return {scene, scene_of(reordered(mesh, TriangleOrder::backward)),
+            scene_of(reordered(mesh, TriangleOrder::shuffled))};
 }
 
 std::vector<RayFamily> all_families(RandomNumbers& numbers, const Scene& scene, int rays) {

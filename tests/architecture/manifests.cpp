@@ -65,6 +65,12 @@ std::string join_words(const std::set<std::string>& words) {
     return text;
 }
 
+// A folder of chapters/ without a number is a program beside the lessons: it comes before and after
+// all of them.
+bool is_beside_the_lessons(const std::string& chapter) {
+    return chapter != "visualizer" && (chapter[0] < '0' || chapter[0] > '9');
+}
+
 // The lists that each chapter with new parts or modules adds a line to.
 bool is_spine(const std::string& file) {
     return file.ends_with("/CMakeLists.txt") || file == "common/mirror/parts.inc";
@@ -112,7 +118,7 @@ std::vector<std::string> find_names_of_the_unborn(const fs::path& root) {
     std::vector<std::string> faults;
     for (const std::string& file : list_files(root, {"common", "shaders", "chapters"})) {
         const std::set<std::string> chapters = birth_chapters(births, file);
-        if (is_spine(file) || chapters.size() != 1) {
+        if (is_spine(file) || chapters.size() != 1 || is_beside_the_lessons(*chapters.begin())) {
             continue;
         }
         int number = 0;
@@ -120,7 +126,8 @@ std::vector<std::string> find_names_of_the_unborn(const fs::path& root) {
             ++number;
             for (const std::string& named : named_files(root, line)) {
                 const std::set<std::string> later = birth_chapters(births, named);
-                if (later.size() == 1 && *later.begin() > *chapters.begin()) {
+                if (later.size() == 1 && !is_beside_the_lessons(*later.begin()) &&
+                    *later.begin() > *chapters.begin()) {
                     faults.push_back(fault_at(file, number,
                                               "is born in " + *chapters.begin() + " and names " +
                                                   named + ", which is born in " + *later.begin() +

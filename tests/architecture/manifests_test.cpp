@@ -45,6 +45,16 @@ TEST_CASE("what the visualizer brings is born there and unknown to chapters", "[
           "visualizer.\n");
 }
 
+TEST_CASE("a program without a number names every chapter and is named by every chapter",
+          "[architecture]") {
+    const SmallTree tree("unnumbered");
+    tree.write("chapters/01_a/CMakeLists.txt", "add_chapter(01_a BORN common/scene/a.h)\n");
+    tree.write("chapters/program/CMakeLists.txt", "add_chapter(program BORN common/scene/p.h)\n");
+    tree.write("common/scene/a.h", "#include \"scene/p.h\"\n");
+    tree.write("common/scene/p.h", "#include \"scene/a.h\"\n");
+    CHECK(find_names_of_the_unborn(tree.root()) == no_faults);
+}
+
 TEST_CASE("every file is born in one chapter", "[architecture]") {
     REQUIRE(list_files(RAYSTEPS_SOURCE_DIR, {"common", "shaders"}).size() >= 200);
     CHECK(find_faults_of_manifests(RAYSTEPS_SOURCE_DIR) == no_faults);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hard_cases/loose_triangles.h"
+#include "hard_cases/ray_families.h"
 #include "replay/recorded_path.h"
 #include "replay/structure_cells.h"
 #include "replay/walk_recorder.h"
@@ -8,7 +10,6 @@
 #include "structure/families.h"
 #include "structure/reach.h"
 #include "support/gpu_hits.h"
-#include "support/ray_families.h"
 
 #include <map>
 #include <memory>

@@ -1,46 +1,48 @@
-#pragma once
+#include "hard_cases/ray_families.h"
 
-#include "structure/padding.h"
-#include "support/soup.h"
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
-#include <string>
 
-// Families of rays that find the faults of structures; random rays are nearly blind for them. Each
-// function takes the corners of at least one triangle, three a triangle. Origins lie in the box of
-// the corners and half of its largest side around it, so within usual_reach, unless said otherwise.
 namespace raysteps {
 
-inline float largest_side(const Box& box) {
+float largest_side(const Box& box) {
     const glm::vec3 side = box.upper - box.lower;
     return std::max({side.x, side.y, side.z});
 }
 
-// A point of the box, or of the box grown by that much on every side.
-inline glm::vec3 point_in_box(RandomNumbers& numbers, const Box& box, float grown_by = 0.0f) {
+glm::vec3 point_in_box(RandomNumbers& numbers, const Box& box, float grown_by) {
     const glm::vec3 share = 0.5f * numbers.in_cube() + 0.5f;
     return (box.lower - grown_by) + share * ((box.upper - box.lower) + 2.0f * grown_by);
 }
 
-inline glm::vec3 point_around(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
+glm::vec3 point_around(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
     const Box box = bounds_of(corners);
     return point_in_box(numbers, box, 0.5f * largest_side(box));
 }
 
-inline std::size_t any_corner(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
+std::size_t any_corner(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
     return static_cast<std::size_t>(numbers.below(static_cast<int>(corners.size())));
 }
 
-inline glm::vec3 point_on_edge(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
+glm::vec3 point_on_edge(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
     const std::size_t a = any_corner(numbers, corners);
     const std::size_t b = a - a % 3 + (a + 1) % 3;
     return corners[a] + numbers.unit() * (corners[b] - corners[a]);
 }
 
-// From around the triangles to the middle of them.
-inline std::vector<Ray> rays_at_triangles(RandomNumbers& numbers,
-                                          std::span<const glm::vec3> corners, int count) {
+std::vector<Ray> random_rays(RandomNumbers& numbers, int count) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 origin = 2.0f * numbers.in_cube();
+        rays.push_back({origin, numbers.in_cube(), 0.0f, no_end});
+    }
+    return rays;
+}
+
+std::vector<Ray> rays_at_triangles(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                   int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const std::size_t a = any_corner(numbers, corners);
@@ -53,8 +55,8 @@ inline std::vector<Ray> rays_at_triangles(RandomNumbers& numbers,
     return rays;
 }
 
-inline std::vector<Ray> rays_at_edges(RandomNumbers& numbers, std::span<const glm::vec3> corners,
-                                      int count) {
+std::vector<Ray> rays_at_edges(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                               int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 origin = point_around(numbers, corners);
@@ -63,8 +65,8 @@ inline std::vector<Ray> rays_at_edges(RandomNumbers& numbers, std::span<const gl
     return rays;
 }
 
-inline std::vector<Ray> rays_at_corners(RandomNumbers& numbers, std::span<const glm::vec3> corners,
-                                        int count) {
+std::vector<Ray> rays_at_corners(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                 int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 origin = point_around(numbers, corners);
@@ -73,9 +75,49 @@ inline std::vector<Ray> rays_at_corners(RandomNumbers& numbers, std::span<const 
     return rays;
 }
 
-// From a corner to a corner: along edges, across faces, with origins on the surface.
-inline std::vector<Ray> rays_between_corners(RandomNumbers& numbers,
-                                             std::span<const glm::vec3> corners, int count) {
+std::vector<Ray> rays_at_corners_of_boxes(RandomNumbers& numbers,
+                                          std::span<const glm::vec3> corners, int count) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const std::size_t any = any_corner(numbers, corners);
+        const Box box = bounds_of(corners.subspan(any - any % 3, 3));
+        glm::vec3 target;
+        for (int axis = 0; axis < 3; ++axis) {
+            target[axis] = numbers.below(2) == 0 ? box.lower[axis] : box.upper[axis];
+        }
+        const glm::vec3 origin = point_around(numbers, corners);
+        rays.push_back({origin, target - origin, 0.0f, no_end});
+    }
+    return rays;
+}
+
+std::vector<Ray> grazing_rays(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                              float angle, int count) {
+    const auto away = static_cast<double>(largest_side(bounds_of(corners)));
+    std::vector<Ray> rays;
+    while (static_cast<int>(rays.size()) < count) {
+        const std::size_t any = any_corner(numbers, corners);
+        const glm::dvec3 a(corners[any]);
+        const glm::dvec3 b(corners[any - any % 3 + (any + 1) % 3]);
+        const glm::dvec3 c(corners[any - any % 3 + (any + 2) % 3]);
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        // Towards a point of the opposite edge, or away from it.
+        const glm::dvec3 along = b + static_cast<double>(numbers.unit()) * (c - b) - a;
+        const double side = numbers.below(2) == 0 ? angle : -static_cast<double>(angle);
+        if (glm::length(normal) == 0.0 || glm::length(along) == 0.0) {
+            rays.push_back({point_around(numbers, corners), glm::vec3(a - b), 0.0f, no_end});
+            continue; // a triangle without a plane: any ray at it will do
+        }
+        const glm::dvec3 direction = away * (glm::normalize(along) + side * glm::normalize(normal));
+        const glm::vec3 target(a + 0.5 * along);
+        const glm::vec3 origin = target - glm::vec3(direction);
+        rays.push_back({origin, target - origin, 0.0f, no_end});
+    }
+    return rays;
+}
+
+std::vector<Ray> rays_between_corners(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                      int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 origin = corners[any_corner(numbers, corners)];
@@ -85,8 +127,8 @@ inline std::vector<Ray> rays_between_corners(RandomNumbers& numbers,
     return rays;
 }
 
-inline std::vector<Ray> rays_from_inside(RandomNumbers& numbers, std::span<const glm::vec3> corners,
-                                         int count) {
+std::vector<Ray> rays_from_inside(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                  int count) {
     const Box box = bounds_of(corners);
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
@@ -96,10 +138,8 @@ inline std::vector<Ray> rays_from_inside(RandomNumbers& numbers, std::span<const
     return rays;
 }
 
-// Along an axis, up or down, on both sides of t = 0; the other components are zeros of either sign.
-// One of the origin's coordinates is a corner's, so that the ray runs in planes of the structure.
-inline std::vector<Ray> axis_parallel_rays(RandomNumbers& numbers,
-                                           std::span<const glm::vec3> corners, int count) {
+std::vector<Ray> axis_parallel_rays(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                    int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const int axis = numbers.below(3);
@@ -113,10 +153,8 @@ inline std::vector<Ray> axis_parallel_rays(RandomNumbers& numbers,
     return rays;
 }
 
-// One component of the direction is zero, and the origin's coordinate there is that of the target,
-// which is a point of an edge.
-inline std::vector<Ray> rays_with_a_zero(RandomNumbers& numbers, std::span<const glm::vec3> corners,
-                                         int count) {
+std::vector<Ray> rays_with_a_zero(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                  int count) {
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
         const int axis = numbers.below(3);
@@ -128,9 +166,7 @@ inline std::vector<Ray> rays_with_a_zero(RandomNumbers& numbers, std::span<const
     return rays;
 }
 
-// Segments: t_min and t_max lie anywhere around the triangles, t_min below zero for half of them.
-inline std::vector<Ray> segments(RandomNumbers& numbers, std::span<const glm::vec3> corners,
-                                 int count) {
+std::vector<Ray> segments(RandomNumbers& numbers, std::span<const glm::vec3> corners, int count) {
     std::vector<Ray> rays = rays_at_triangles(numbers, corners, count);
     for (Ray& ray : rays) {
         ray.t_min = 2.0f * numbers.unit() - 1.0f;
@@ -139,53 +175,25 @@ inline std::vector<Ray> segments(RandomNumbers& numbers, std::span<const glm::ve
     return rays;
 }
 
-// Planes at lower + i * step along each axis, i = 0 ... cells.
-struct Lattice {
-    glm::vec3 lower{0.0f};
-    glm::vec3 step{1.0f};
-    glm::ivec3 cells{1};
-};
-
-inline glm::vec3 any_lattice_point(RandomNumbers& numbers, const Lattice& lattice) {
-    glm::vec3 point;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<float>(numbers.below(lattice.cells[axis] + 1));
-        point[axis] = lattice.lower[axis] + lattice.step[axis] * i;
-    }
-    return point;
-}
-
-// From a lattice point to a lattice point, both moved out of the lattice along the ray by its
-// length: they run through many lattice points on the way, and along edges of cells.
-inline std::vector<Ray> rays_through_lattice_points(RandomNumbers& numbers, const Lattice& lattice,
-                                                    int count) {
-    std::vector<Ray> rays;
-    for (int i = 0; i < count; ++i) {
-        const glm::vec3 from = any_lattice_point(numbers, lattice);
-        const glm::vec3 along = any_lattice_point(numbers, lattice) - from;
-        rays.push_back({from - along, along, 0.0f, no_end});
+std::vector<Ray> rays_from_far_away(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                    float distance, int count) {
+    std::vector<Ray> rays = rays_at_edges(numbers, corners, count);
+    for (Ray& ray : rays) {
+        const glm::vec3 target = ray.origin + ray.direction;
+        ray.origin *= distance;
+        ray.direction = target - ray.origin;
     }
     return rays;
 }
 
-// In a plane of the lattice, in any direction.
-inline std::vector<Ray> rays_in_lattice_planes(RandomNumbers& numbers, const Lattice& lattice,
-                                               int count) {
-    const glm::vec3 size = lattice.step * glm::vec3(lattice.cells);
-    std::vector<Ray> rays;
-    for (int i = 0; i < count; ++i) {
-        const int axis = numbers.below(3);
-        glm::vec3 origin = point_in_box(numbers, {lattice.lower, lattice.lower + size});
-        origin[axis] = any_lattice_point(numbers, lattice)[axis];
-        glm::vec3 direction = size * numbers.in_cube();
-        direction[axis] = 0.0f;
-        rays.push_back({origin, direction, -1.0f, no_end});
+std::vector<Ray> with_large_t(std::vector<Ray> rays, float factor) {
+    for (Ray& ray : rays) {
+        ray.direction /= factor;
     }
     return rays;
 }
 
-// Every ray from its end back to its start, as the crow flies: from t = 3 to before t = 0.
-inline std::vector<Ray> reversed(std::span<const Ray> rays) {
+std::vector<Ray> reversed(std::span<const Ray> rays) {
     std::vector<Ray> backwards;
     for (const Ray& ray : rays) {
         backwards.push_back({ray.origin + 3.0f * ray.direction, -ray.direction, 0.0f, no_end});
@@ -193,9 +201,7 @@ inline std::vector<Ray> reversed(std::span<const Ray> rays) {
     return backwards;
 }
 
-// What no ray should be. A structure must answer all the same, and may not hang or read outside:
-// not a number, infinite, without a direction, with a direction too small to divide by.
-inline std::vector<Ray> nonsense_rays() {
+std::vector<Ray> nonsense_rays() {
     const float not_a_number = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
     const float smallest = std::numeric_limits<float>::denorm_min();
@@ -219,10 +225,8 @@ inline std::vector<Ray> nonsense_rays() {
     return rays;
 }
 
-// So short that t overflows, or so long that it nearly underflows. The shortest go along an axis,
-// for what else they have would be denormal (docs/numerics.md, what is not covered).
-inline std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers,
-                                               std::span<const glm::vec3> corners, int count) {
+std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                        int count) {
     const std::array lengths{1e-30f, 1e-20f, 1e20f, 1e30f};
     std::vector<Ray> rays = rays_at_triangles(numbers, corners, count);
     for (Ray& ray : rays) {
@@ -239,17 +243,13 @@ inline std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers,
     return rays;
 }
 
-struct RayFamily {
-    std::string name;
-    std::vector<Ray> rays;
-};
-
-// All families of sensible rays that know nothing of a lattice.
-inline std::vector<RayFamily> ray_families(RandomNumbers& numbers,
-                                           std::span<const glm::vec3> corners, int count) {
+std::vector<RayFamily> ray_families(RandomNumbers& numbers, std::span<const glm::vec3> corners,
+                                    int count) {
     return {{"at triangles", rays_at_triangles(numbers, corners, count)},
             {"at edges", rays_at_edges(numbers, corners, count)},
             {"at corners", rays_at_corners(numbers, corners, count)},
+            {"at corners of boxes", rays_at_corners_of_boxes(numbers, corners, count)},
+            {"grazing", grazing_rays(numbers, corners, 1e-3f, count)},
             {"between corners", rays_between_corners(numbers, corners, count)},
             {"from inside", rays_from_inside(numbers, corners, count)},
             {"axis-parallel", axis_parallel_rays(numbers, corners, count)},

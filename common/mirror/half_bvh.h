@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mirror/glsl_language.h"
+
+namespace raysteps::mirror {
+
+// The walk through a BVH with boxes of half precision; its structure comes packed
+// (mirror/packed_mirror.h).
+
+template <class Real>
+struct HalfBvh {
+#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define STRUCTURE_PART "structure/half_bvh.glsl"
+#include "mirror/parts.inc"
+};
+
+} // namespace raysteps::mirror

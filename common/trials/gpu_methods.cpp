@@ -1,0 +1,20 @@
+#include "trials/gpu_methods.h"
+
+#include "gpu/shader_catalog.h"
+
+namespace raysteps {
+
+std::vector<Hit> GpuMethods::trace(const std::string& triangle, const std::string& structure,
+                                   const SceneTextures& scene, const RayTextures& rays,
+                                   std::size_t count) {
+    const std::string name = triangle + " " + structure;
+    auto tracer = tracers_.find(name);
+    if (tracer == tracers_.end()) {
+        const Parts parts{{"triangle", find_part("triangle", triangle)},
+                          {"structure", find_part("structure", structure)}};
+        tracer = tracers_.emplace(name, TraceRays(parts, limits_)).first;
+    }
+    return read_hits(tracer->second.closest_hits(rays, scene), count);
+}
+
+} // namespace raysteps

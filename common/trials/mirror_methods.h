@@ -1,0 +1,30 @@
+#pragma once
+
+#include "geometry/layout.h"
+#include "mirror/mirror_scene.h"
+#include "structure/packed_structure.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// Stands for the triangle where a walk did not end within 2^26 rounds.
+inline constexpr int no_answer = -2;
+
+// The nearest hit of each ray by the shader parts as C++, on all cores.
+using TraceByMirror = std::vector<Hit> (*)(const mirror::SceneBuffers& scene,
+                                           const PackedStructure& structure,
+                                           std::span<const Ray> rays);
+
+// By the name of the structure, each with the watertight test. A test sees to it that there is one
+// for every part of shaders/structure that the project has.
+const std::map<std::string, TraceByMirror>& mirror_walks();
+
+// By the name of the triangle test, each in a loop over every triangle, which needs no structure.
+// Those that end in `_double` compute in double precision.
+const std::map<std::string, TraceByMirror>& mirror_triangle_tests();
+
+} // namespace raysteps
