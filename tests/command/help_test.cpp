@@ -40,6 +40,8 @@ TEST_CASE("help names every option of every program", "[command]") {
     check_help("06_bvh", with(tracing, {"--view", "--measure"}));
     check_help("07_compare",
                with(tracing, {"--scenes", "--growth", "--rounds", "--most-seconds", "--embree"}));
+    check_help("08_accuracy",
+               with(common_options, {"--quick", "--full", "--knobs", "--seed", "--rounds"}));
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {
