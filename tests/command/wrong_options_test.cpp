@@ -37,7 +37,7 @@ TEST_CASE("an unknown triangle test is refused with the names of all", "[command
     for (const std::string chapter : {"02_triangles", "03_shading"}) {
         check_refusal(workplace, chapter, {"--triangle", "best"}, 2,
                       {"--triangle best", "moeller_trumbore, ", "paper_repaired, ",
-                       "watertight, watertight_rounded."});
+                       "watertight, watertight_fallback, watertight_rounded."});
     }
 }
 

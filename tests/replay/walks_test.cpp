@@ -25,11 +25,13 @@ WalkCount counts_in(const RecordedWalk& walk) {
 
 } // namespace
 
-TEST_CASE("the walks of every structure in the shader folder can be recorded", "[replay][walks]") {
+TEST_CASE("the walks of every structure but that of half nodes can be recorded",
+          "[replay][walks]") {
     std::vector<std::string> names;
     for (const NamedPart& part : list_parts("structure")) {
         names.push_back(part.name);
     }
+    std::erase(names, "half_bvh"); // walks as bvh_skip does; chapter 08 looks at its bits alone
     CHECK(recorded_structures() == names);
     const mirror::SceneBuffers none(Scene{});
     const PackedStructure nothing;

@@ -4,8 +4,8 @@
 
 namespace raysteps {
 
-// How many answers to rays that may be no rays (hard_cases/ray_families.h) cannot be right: a triangle
-// that the scene does not have, or a hit of a ray that is empty.
+// How many answers to rays that may be no rays (hard_cases/ray_families.h) cannot be right: a
+// triangle that the scene does not have, or a hit of a ray that is empty.
 inline std::size_t count_impossible(std::span<const Hit> hits, std::span<const Ray> rays,
                                     int triangles) {
     std::size_t impossible = hits.size() == rays.size() ? 0 : hits.size() + rays.size();
