@@ -61,10 +61,10 @@ std::vector<Bin> fill_bins(std::span<const BvhItem> items, const std::array<BinS
     return bins;
 }
 
-// Few items need few bins: else, near the leaves, the bins take more time than the items.
+// More bins than items make little difference, and near the leaves they take most of the time.
 int bins_for(std::size_t items, const BvhOptions& options) {
     const auto bins = static_cast<std::size_t>(options.bins);
-    return static_cast<int>(std::min(bins, 4 + items / 16));
+    return static_cast<int>(std::min(bins, items + 4));
 }
 
 // The cheapest cut between two of the bins. The cost is only the sum of areas times numbers here.
