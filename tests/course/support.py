@@ -26,7 +26,8 @@ class CourseTest(unittest.TestCase):
     def course(self, *arguments, expect=0):
         """Runs ./course and returns what it printed; its exit code must be `expect`."""
         done = subprocess.run([*COURSE, "--workbook", self.workbook, *map(str, arguments)],
-                              capture_output=True, text=True, check=False)
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              check=False)
         self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
