@@ -6,7 +6,7 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     CLI::App app("Chapter 08: what accuracy costs in time. Methods side by side, judged exactly.");
-    Command command{.chapter = "08_accuracy", .scene = "bunny"};
+    Command command{.chapter = "08_accuracy", .scene = "bunny", .size = "96x96"};
     ReportRequest request;
     bool full = false;
     bool quick = false;
@@ -25,6 +25,9 @@ int main(int argc, char** argv) {
     return run_command(app, command, argc, argv, [&] {
         refuse_window(command);
         request.effort = full ? full_effort() : Effort{};
+        if (app.count("--size") > 0) {
+            request.effort.picture_size = side_of_pictures(command);
+        }
         if (rounds->count() == 0) {
             request.rounds = request.effort.rounds;
         }

@@ -23,6 +23,7 @@ namespace raysteps {
 namespace {
 
 constexpr std::uintmax_t most_bytes_of_picture = 64U << 20U;
+constexpr std::uintmax_t most_bytes_of_report = 256U << 20U;
 
 // Exact truth takes a time for each ray and triangle; a family keeps so many rays at least.
 constexpr std::size_t most_decisions = 400'000'000;
@@ -78,6 +79,16 @@ void write(const std::filesystem::path& path, const std::string& text) {
     std::cout << "wrote     " << path.string() << "\n";
 }
 
+// Nobody should wait for minutes to learn that a file cannot be written. What is there stays.
+void check_writable(const std::filesystem::path& path) {
+    if (std::filesystem::is_regular_file(path)) {
+        write_file(path, read_file(path, most_bytes_of_report));
+        return;
+    }
+    write_file(path, "");
+    std::filesystem::remove(path);
+}
+
 void print_advice(const std::vector<Advice>& advice) {
     std::cout << "\nWhat to take (no rank among those named together)\n";
     for (const Advice& one : advice) {
@@ -117,8 +128,16 @@ void refuse_window(const Command& command) {
     }
 }
 
+int side_of_pictures(const Command& command) {
+    return std::max(8, std::min(command.width, command.height));
+}
+
 void make_report(const Command& command, const ReportRequest& request) {
     const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
+    if (!command.json.empty()) {
+        check_writable(command.json);
+    }
+    check_writable(command.out / "accuracy.html");
     Scene scene = open_scene(command);
     const auto context = open_context(command);
     KnobRequest knobs{nullptr, nullptr, request.effort};

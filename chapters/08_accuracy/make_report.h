@@ -25,8 +25,13 @@ std::string knob_names();
 // The report is a page: throws InputError where --window was given.
 void refuse_window(const Command& command);
 
+// Of --size the smaller side, since pictures are square, and 8 pixels at least, which is what
+// accuracy/similarity.h looks at.
+int side_of_pictures(const Command& command);
+
 // Measures, prints a table a knob, and writes accuracy.html, accuracy.csv, accuracy.json and the
-// pictures to the folder of --out.
+// pictures to the folder of --out. Whether files can be written there, and the one of --json, is
+// asked before any work; throws InputError where they cannot.
 void make_report(const Command& command, const ReportRequest& request);
 
 } // namespace raysteps

@@ -67,6 +67,9 @@ std::vector<std::shared_ptr<SpeedFamily>> families_of(const Scene& scene, const 
     std::vector<std::shared_ptr<SpeedFamily>> families;
     families.push_back(std::make_shared<SpeedFamily>(SpeedFamily{
         "camera", generate_rays(scene.camera, size, size, RayGeneration::direct), pixels}));
+    if (scene.corners.empty()) {
+        return families;
+    }
     for (const AimedFamily& family : aim_at(scene.corners, effort.timed_rays, effort.seed)) {
         if (family.name == "vertex") {
             families.push_back(std::make_shared<SpeedFamily>(

@@ -76,12 +76,23 @@ TEST_CASE("the program writes page and table and numbers for a scene of ones own
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 8 * 11 + 6 * 4);
 }
 
+TEST_CASE("a scene without a triangle has a report too", "[08][program]") {
+    const ScratchFolder folder("accuracy_nothing");
+    put_bytes(folder / "nothing.obj", "v 0 0 0\n");
+    CHECK(run("--scene '" + (folder / "nothing.obj").string() +
+                  "' --knobs picture,speed --rounds 1 --size 16 --context osmesa",
+              folder) == 0);
+    CHECK_THAT(bytes_of(folder / "accuracy.html"), contains_text("any method will do"));
+}
+
 TEST_CASE("what cannot be reported is refused in a sentence", "[08][program]") {
     const ScratchFolder folder("accuracy_refusals");
     CHECK(run("--knobs nonsense --context osmesa", folder) == 2);
     CHECK_THAT(bytes_of(folder / "log"), contains_text("--knobs nonsense: there is no such"));
     CHECK(run("--window", folder) == 2);
     CHECK_THAT(bytes_of(folder / "log"), contains_text("open accuracy.html in a browser"));
+    CHECK(run("--json /dev/null", folder) == 2); // before any work
+    CHECK_THAT(bytes_of(folder / "log"), contains_text("/dev/null: "));
     CHECK(run("--quick --full", folder) == 2);
     CHECK(run("--rounds 0", folder) == 2);
 }
