@@ -4,6 +4,7 @@
 #   ./run.sh                      installs what is missing, builds, and renders every chapter into out/
 #   ./run.sh 03 [OPTION...]       runs one chapter's program with its options; --help lists them
 #   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
+#   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
 #   ./run.sh --no-install ...     installs nothing: lists what is missing, and stops if anything is
 #   ./run.sh --help               says this
 set -euo pipefail
@@ -14,7 +15,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,8s/^# \{0,1\}//p' run.sh
+  sed -n '2,9s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
@@ -24,7 +25,11 @@ case "${1:-}" in
 esac
 
 chapter=
-if [ $# -gt 0 ]; then
+kind=run
+if [ "${1:-}" = view ]; then
+  kind=view
+  shift
+elif [ $# -gt 0 ]; then
   for folder in chapters/"$1"*/; do
     [ -d "$folder" ] && [[ $1 =~ ^[0-9][0-9] ]] && chapter=$(basename "$folder")
   done
@@ -36,7 +41,7 @@ if [ $# -gt 0 ]; then
   shift
 fi
 
-set_up run $install
+set_up $kind $install
 # Tests are configured where they can be built, and never built here.
 tests=$(can_test && echo ON || echo OFF)
 log=build/configure.log
@@ -46,17 +51,25 @@ if ! cmake --preset default -DRAYSTEPS_TESTS="$tests" >$log 2>&1; then
   exit 3
 fi
 
-if [ -n "$chapter" ]; then
-  if [ ! -x "build/default/chapters/$chapter/$chapter" ]; then
-    echo "run.sh: building $chapter, which takes some minutes the first time (see build/build.log)" >&2
+# build_and_run TARGET PROGRAM OPTION...
+build_and_run() {
+  local target=$1 program=$PWD/$2
+  shift 2
+  if [ ! -x "$program" ]; then
+    echo "run.sh: building $target, which takes some minutes the first time (see build/build.log)" >&2
   fi
-  cmake --build --preset default --target "$chapter" >build/build.log 2>&1 || {
+  cmake --build --preset default --target "$target" >build/build.log 2>&1 || {
     cat build/build.log >&2
     exit 1
   }
-  program=$PWD/build/default/chapters/$chapter/$chapter
   cd "$called_from"
   exec "$program" "$@"
+}
+
+if [ $kind = view ]; then
+  build_and_run visualizer build/default/visualizer/visualizer "$@"
+elif [ -n "$chapter" ]; then
+  build_and_run "$chapter" "build/default/chapters/$chapter/$chapter" "$@"
 fi
 
 cmake --build --preset default --target pictures

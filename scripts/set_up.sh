@@ -1,6 +1,6 @@
 # What run.sh and test.sh share: installs what is missing. Sourced by both.
 #
-#   set_up run|test [--no-install]
+#   set_up run|view|test [--no-install]
 #
 # Asks nothing. With --no-install it only lists what is missing.
 
@@ -12,6 +12,9 @@ packages_to_run=(
   libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libstb-dev
   libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core python3
 )
+
+# What the visualizer is drawn with.
+packages_to_view=(libvtk9-dev libzip-dev libx11-dev)
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
 # its runtime, which fuzzes the loader.
@@ -34,9 +37,10 @@ can_test() {
 
 set_up() {
   local packages=("${packages_to_run[@]}") missing=() package administrator=()
-  if [ "$1" = test ]; then
-    packages+=("${packages_to_test[@]}")
-  fi
+  case "$1" in
+  view) packages+=("${packages_to_view[@]}") ;;
+  test) packages+=("${packages_to_view[@]}" "${packages_to_test[@]}") ;;
+  esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "set-up: this system has no apt. If the build stops, install what these Debian packages hold:" >&2
     echo "  ${packages[*]}" >&2

@@ -132,6 +132,24 @@ std::vector<double> color_values(const Pane& pane, const State& state,
     return values;
 }
 
+ValueRange color_range(const Stage& stage, const State& state) {
+    std::vector<double> values{};
+    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
+        if (state.color == CellColor::depth) {
+            values.insert(values.end(), {0.0, static_cast<double>(pane->cells.deepest)});
+            continue;
+        }
+        const std::vector<double> own =
+            color_values(*pane, state, choose_cells(*pane, state).cells);
+        values.insert(values.end(), own.begin(), own.end());
+    }
+    if (values.empty()) {
+        return {};
+    }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *least < *most ? ValueRange{*least, *most} : ValueRange{*least, *least + 1.0};
+}
+
 std::string color_title(CellColor color) {
     switch (color) {
     case CellColor::depth:

@@ -34,6 +34,15 @@ std::vector<int> visits_of(const Pane& pane, const State& state);
 std::vector<double> color_values(const Pane& pane, const State& state,
                                  const std::vector<int>& cells);
 
+// The values of the first and the last colour, for all panes alike: of depths all there are, else
+// those of the cells that are drawn.
+struct ValueRange {
+    double lower = 0.0;
+    double upper = 1.0;
+};
+
+ValueRange color_range(const Stage& stage, const State& state);
+
 std::string color_title(CellColor color);
 
 // The surface of a cell's box.

@@ -27,6 +27,8 @@ inline glm::vec3 color_of(RayRole role) {
         return {0.25f, 0.25f, 0.25f};
     case RayRole::mirror:
         return {0.00f, 0.62f, 0.45f}; // bluish green
+    case RayRole::refraction:
+        return {0.64f, 0.31f, 0.50f}; // reddish purple, darker
     case RayRole::camera:
         break;
     }

@@ -1,6 +1,7 @@
 #include "visualizer/request.h"
 
 #include "error/error.h"
+#include "hard_cases/hard_cases.h"
 #include "parse/parse_camera.h"
 #include "parse/parse_size.h"
 #include "parse/words.h"
@@ -24,6 +25,7 @@ namespace {
 // Options as they were written.
 struct Written {
     std::string scene;
+    std::string hard_case;
     std::string state_file;
     std::vector<std::string> structures;
     std::string walk;
@@ -46,6 +48,7 @@ struct Written {
     int bounces = -1;
     int most_cells = -1;
     int selected = -1;
+    int hard_ray = -1;
     bool help_sheet = false;
 };
 
@@ -168,6 +171,10 @@ void read_levels(State& state, const std::string& text) {
 void add_options(CLI::App& app, Written& words, Request& request) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", words.scene, "an .obj or .toml file, or a sample scene (bunny)");
+    app.add_option("--hard-case", words.hard_case,
+                   "instead of a scene: the hard case of that name, as in K3, with the ray that "
+                   "breaks a usual method");
+    app.add_option("--hard-ray", words.hard_ray, "another one of its rays, from 0");
     app.add_option("--structure", words.structures,
                    "what is shown; several, between commas, side by side; with options of its own "
                    "as in bvh_ordered:split=median (bvh_ordered)")
@@ -214,6 +221,17 @@ void add_options(CLI::App& app, Written& words, Request& request) {
 void take_what_to_see(State& state, const Written& words) {
     if (!words.scene.empty()) {
         state.scene = words.scene;
+        state.hard_case.clear();
+    }
+    if (!words.hard_case.empty()) {
+        if (!words.scene.empty()) {
+            throw InputError("--hard-case " + words.hard_case + " and the scene " + words.scene +
+                             " both say what to show. Leave one out.");
+        }
+        state.hard_case = find_hard_case(words.hard_case).name;
+    }
+    if (words.hard_ray >= 0) {
+        state.hard_ray = words.hard_ray;
     }
     if (!words.structures.empty() || !words.walk.empty()) {
         state.structures = structures_of(words);
@@ -250,7 +268,7 @@ bool has_grids_only(const State& state) {
 }
 
 void take_how_it_is_drawn(State& state, const Written& words) {
-    const bool new_ray = !words.pixel.empty() || !words.ray.empty();
+    const bool new_ray = !words.pixel.empty() || !words.ray.empty() || !words.hard_case.empty();
     if (!words.filter.empty()) {
         state.filter = choose("show", words.filter, filter_words());
     } else if (new_ray) {

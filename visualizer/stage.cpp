@@ -1,12 +1,14 @@
 #include "visualizer/stage.h"
 
 #include "error/error.h"
+#include "hard_cases/hard_cases.h"
 #include "parse/words.h"
 #include "scene/load_scene.h"
 #include "scene/view.h"
 #include "structure/build_choices.h"
 #include "structure/families.h"
 #include "structure/reach.h"
+#include "visualizer/hard_ray.h"
 
 #include <algorithm>
 #include <utility>
@@ -110,8 +112,20 @@ std::string pixel_text(const glm::ivec2& pixel) {
 } // namespace
 
 void Stage::load(const State& state) {
-    say_("loading " + state.scene);
-    Scene scene = load_scene(state.scene, aspect_ratio(state));
+    Scene scene;
+    hard_rays_.clear();
+    hard_values_.clear();
+    if (state.hard_case.empty()) {
+        say_("loading " + state.scene);
+        scene = load_scene(state.scene, aspect_ratio(state));
+    } else {
+        const HardCase& hard_case = find_hard_case(state.hard_case);
+        say_("making " + hard_case.name);
+        HardScene made = hard_case.make({});
+        scene = scene_of(hard_case, made, aspect_ratio(state));
+        hard_rays_ = std::move(made.rays);
+        hard_values_ = std::move(made.build_values);
+    }
     scene_ = std::move(scene);
     bounds_ = bounds_of(scene_.corners);
     panes_.clear();
@@ -134,7 +148,10 @@ void Stage::build(const State& state) {
         pane->structure = name.structure;
         pane->recorder = make_recorder(name.structure, {*buffers_, pane->built.packed});
         const StructureFamily family = family_of(name.structure);
-        const std::map<std::string, std::string> values = values_for(name, state);
+        std::map<std::string, std::string> values = values_for(name, state);
+        if (const auto hard = hard_values_.find(family.name); hard != hard_values_.end()) {
+            values.insert(hard->second.begin(), hard->second.end());
+        }
         say_("building " + text);
         pane->built = family.build(scene_.corners, {.reach = reach_, .values = values});
         pane->cells = cells_of(pane->built.packed, costs_of(family, values));
@@ -166,6 +183,38 @@ void Stage::count(const State& state) {
     }
 }
 
+std::optional<Ray> Stage::ray_asked_for(const State& state) const {
+    if (!state.pixel) {
+        return state.ray;
+    }
+    const glm::ivec2 pixel = *state.pixel;
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= state.picture.x || pixel.y >= state.picture.y) {
+        throw InputError("--pixel " + pixel_text(pixel) + ": the picture has the pixels 0,0 to " +
+                         pixel_text(state.picture - 1) + ". Take one of them, or another --size.");
+    }
+    return pixel_ray(view_of(camera_, static_cast<double>(aspect_ratio(state))), state.picture.x,
+                     state.picture.y, pixel.x, pixel.y);
+}
+
+// The structures stand, so that it can be seen what a ray does in them.
+std::optional<Ray> Stage::hard_ray(const State& state) {
+    if (hard_rays_.empty()) {
+        return std::nullopt;
+    }
+    if (state.hard_ray >= static_cast<int>(hard_rays_.size())) {
+        throw InputError("--hard-ray " + std::to_string(state.hard_ray) + ": the case has " +
+                         std::to_string(hard_rays_.size()) + " rays. Take one from 0 on.");
+    }
+    HardRay chosen{static_cast<std::size_t>(std::max(state.hard_ray, 0)), "as asked for"};
+    if (state.hard_ray < 0) {
+        chosen = choose_hard_ray(hard_rays_, *buffers_, panes_.front()->recorder);
+    }
+    const HardCase& hard_case = find_hard_case(state.hard_case);
+    note_ = hard_case.name + ", " + hard_case.title + " Ray " + std::to_string(chosen.number) +
+            ": " + chosen.why + ".";
+    return hard_rays_[chosen.number];
+}
+
 void Stage::show(const State& state) {
     if (state.structures.empty()) {
         throw InputError("--structure: no structure is named. Name one.");
@@ -174,6 +223,7 @@ void Stage::show(const State& state) {
     const std::optional<State> before = std::exchange(shown_, std::nullopt);
     const bool new_picture = !before || before->picture != state.picture;
     const bool new_scene = !before || before->scene != state.scene ||
+                           before->hard_case != state.hard_case ||
                            (new_picture && aspect_ratio(*before) != aspect_ratio(state));
     if (new_scene) {
         load(state);
@@ -182,22 +232,13 @@ void Stage::show(const State& state) {
     if (new_camera) {
         camera_ = state.camera.value_or(scene_.camera);
     }
-    std::optional<Ray> ray = state.ray;
-    if (state.pixel) {
-        const glm::ivec2 pixel = *state.pixel;
-        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= state.picture.x ||
-            pixel.y >= state.picture.y) {
-            throw InputError(
-                "--pixel " + pixel_text(pixel) + ": the picture has the pixels 0,0 to " +
-                pixel_text(state.picture - 1) + ". Take one of them, or another --size.");
-        }
-        ray = pixel_ray(view_of(camera_, static_cast<double>(aspect_ratio(state))), state.picture.x,
-                        state.picture.y, pixel.x, pixel.y);
-    }
+    std::optional<Ray> ray = ray_asked_for(state);
     // A structure holds for rays from within its reach; farther out, it is built anew.
     float reach = std::max(new_scene ? 0.0f : reach_, reach_of(camera_.eye, scene_.corners));
     if (ray) {
         reach = std::max(reach, reach_of(ray->origin, scene_.corners));
+    } else {
+        reach = std::max(reach, reach_of(hard_rays_, scene_.corners));
     }
     const bool new_structures = new_scene || reach > reach_ ||
                                 before->structures != state.structures ||
@@ -205,6 +246,16 @@ void Stage::show(const State& state) {
     reach_ = reach;
     if (new_structures) {
         build(state);
+    }
+    const bool same_hard_ray = before && !new_structures && !before->pixel && !before->ray &&
+                               before->hard_ray == state.hard_ray;
+    if (ray) {
+        note_.clear();
+    } else if (same_hard_ray) {
+        ray = ray_; // to choose it takes long
+    } else {
+        note_.clear();
+        ray = hard_ray(state);
     }
     const bool new_ray = !same_ray(ray, ray_) || (before && before->bounces != state.bounces);
     ray_ = ray;

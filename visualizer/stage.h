@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hard_cases/hard_case.h"
 #include "replay/parting.h"
 #include "replay/recorded_path.h"
 #include "replay/structure_cells.h"
@@ -40,12 +41,15 @@ public:
 
     const Scene& scene() const { return scene_; }
     const std::vector<std::unique_ptr<Pane>>& panes() const { return panes_; }
-    const Camera& camera() const { return camera_; } // of the traced picture
-    const Box& bounds() const { return bounds_; }    // of the scene
-    std::optional<Ray> ray() const { return ray_; }  // that is asked for
+    const Camera& camera() const { return camera_; }  // of the traced picture
+    const Box& bounds() const { return bounds_; }     // of the scene
+    std::optional<Ray> ray() const { return ray_; }   // that is asked for
+    const std::string& note() const { return note_; } // what makes the ray worth a look, or nothing
 
 private:
     void load(const State& state);
+    std::optional<Ray> ray_asked_for(const State& state) const;
+    std::optional<Ray> hard_ray(const State& state);
     void build(const State& state);
     void record(const State& state);
     void count(const State& state);
@@ -57,6 +61,9 @@ private:
     Box bounds_;
     float reach_ = 0.0f; // of the rays that the structures are built for
     std::optional<Ray> ray_;
+    std::vector<Ray> hard_rays_; // of the hard case
+    FamilyValues hard_values_;   // that its builders need
+    std::string note_;
     std::unique_ptr<mirror::SceneBuffers> buffers_;
     std::vector<std::unique_ptr<Pane>> panes_;
 };

@@ -33,6 +33,7 @@ inline constexpr int all_levels = -1;
 struct State {
     // What there is to see.
     std::string scene = "bunny";
+    std::string hard_case;                              // instead of the scene: K3
     std::vector<std::string> structures{"bvh_ordered"}; // NAME or NAME:option=value:...
     std::map<std::string, std::string> build_values;    // for the builders of all of them
     std::optional<Camera> camera; // of the traced picture; the scene's where there is none
@@ -41,6 +42,7 @@ struct State {
     // The ray: of a pixel of the picture, or as given.
     std::optional<glm::ivec2> pixel;
     std::optional<Ray> ray;
+    int hard_ray = -1; // of the hard case's rays, where neither is given; the one that tells most
     int bounces = 4;
     int path_ray = 0;     // which of the rays behind the pixel; 0 is the one asked for
     int step = last_step; // from 0

@@ -88,6 +88,8 @@ private:
 
 void read_what_to_see(Fields& fields, State& state) {
     fields.field("scene", [&](const Json& j) { state.scene = j.get<std::string>(); });
+    fields.field("hard_case", [&](const Json& j) { state.hard_case = j.get<std::string>(); });
+    fields.field("hard_ray", [&](const Json& j) { state.hard_ray = j.get<int>(); });
     fields.field("structures",
                  [&](const Json& j) { state.structures = j.get<std::vector<std::string>>(); });
     fields.field("build_values", [&](const Json& j) {
@@ -145,6 +147,8 @@ void check(const State& state) {
 std::string state_text(const State& state) {
     Json json;
     json["scene"] = state.scene;
+    json["hard_case"] = state.hard_case;
+    json["hard_ray"] = state.hard_ray;
     json["structures"] = state.structures;
     json["build_values"] = state.build_values;
     if (state.camera) {

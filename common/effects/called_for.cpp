@@ -1,7 +1,7 @@
 #include "effects/called_for.h"
 
 #include "effects/in_view.h"
-#include "effects/material_effects.h"
+#include "scene/material_effects.h"
 
 #include <algorithm>
 #include <functional>

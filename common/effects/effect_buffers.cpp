@@ -1,9 +1,10 @@
 #include "effects/effect_buffers.h"
 
-#include "effects/material_effects.h"
 #include "effects/picture_pyramid.h"
 #include "effects/scene_pictures.h"
 #include "error/error.h"
+#include "scene/material_effects.h"
+#include "scene/pack_glass.h"
 
 #include <limits>
 
@@ -73,16 +74,6 @@ std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& pl
         texels.emplace_back(opaque * material.diffuse, 0.0f);
         texels.emplace_back(material.specular, refracts || reflects ? 1.0f : 0.0f);
         texels.emplace_back(material.emission, 0.0f);
-    }
-    return texels;
-}
-
-std::vector<glm::vec4> pack_glass(const Scene& scene) {
-    std::vector<glm::vec4> texels;
-    texels.reserve(2 * scene.materials.size());
-    for (const Material& material : scene.materials) {
-        texels.emplace_back(material.transmission, material.refractive_index);
-        texels.emplace_back(transparency(material), 0.0f, 0.0f, 0.0f);
     }
     return texels;
 }

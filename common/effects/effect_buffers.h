@@ -17,9 +17,6 @@ namespace raysteps {
 // sends rays on from it, and shows only that part of its colour which does not go through it.
 std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& plan);
 
-// The texels of layout/glass.glsl, two a material.
-std::vector<glm::vec4> pack_glass(const Scene& scene);
-
 // The texels of layout/gloss.glsl, one a material.
 std::vector<glm::vec4> pack_gloss(const Scene& scene);
 

@@ -1,6 +1,6 @@
 #include "effects/in_view.h"
 
-#include "effects/material_effects.h"
+#include "scene/material_effects.h"
 #include "scene/view.h"
 
 #include <glm/geometric.hpp>

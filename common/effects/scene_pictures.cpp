@@ -1,9 +1,9 @@
 #include "effects/scene_pictures.h"
 
 #include "effects/made_pictures.h"
-#include "effects/material_effects.h"
 #include "error/error.h"
 #include "image/write_png.h"
+#include "scene/material_effects.h"
 
 #include <map>
 

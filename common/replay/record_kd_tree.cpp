@@ -49,7 +49,7 @@ namespace {
 class BoxExits {
 public:
     BoxExits(const RecorderInput& input, const Ray& ray)
-        : mirror_(mirror::packed_mirror<Mirror>(input.scene, input.packed)),
+        : mirror_(mirror::mirror_of<Mirror>(input.scene, input.packed)),
           ray_(mirror::to_mirror<Mirror>(ray)), end_(mirror_.part_in_tree(ray_).exit) {}
 
     struct Exit {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mirror/packed_mirror.h"
 #include "parallel/on_threads.h"
-#include "replay/packed_mirror.h"
 #include "replay/walk_event.h"
 #include "replay/walk_recorder.h"
 
@@ -46,7 +46,7 @@ void add_test(RecordedWalk& walk, Mirror& mirror, const Prepared& ray, int trian
 // A walk, and what each of its events means.
 template <class Mirror, class Explain>
 RecordedWalk record_with(const RecorderInput& input, const Ray& ray, Question question) {
-    auto mirror = mirror::packed_mirror<Mirror>(input.scene, input.packed);
+    auto mirror = mirror::mirror_of<Mirror>(input.scene, input.packed);
     RecordedWalk walk;
     walk.ray = ray;
     walk.question = question;
@@ -88,7 +88,7 @@ WalkRecorder recorder_of(const RecorderInput& input) {
     recorder.count = [input](std::span<const Ray> rays) {
         std::vector<WalkCount> counts(rays.size());
         in_parts(all_cores, rays.size(), 1024, [&](std::size_t begin, std::size_t end) {
-            auto mirror = mirror::packed_mirror<Mirror>(input.scene, input.packed);
+            auto mirror = mirror::mirror_of<Mirror>(input.scene, input.packed);
             for (std::size_t i = begin; i < end; ++i) {
                 run_walk(mirror, rays[i], Question::nearest);
                 for (const WalkEvent& event : mirror.events) {

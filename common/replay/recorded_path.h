@@ -10,9 +10,10 @@
 namespace raysteps {
 
 // Why a ray is there.
-enum class RayRole { camera, shadow, mirror };
+enum class RayRole { camera, shadow, mirror, refraction };
 
-// `camera ray`, `shadow ray to light 1`, `mirror ray 2`: what is counted begins at 1.
+// `camera ray`, `shadow ray to light 1`, `mirror ray 2`, `refracted ray 3`: what is counted begins
+// at 1.
 struct PathRay {
     RayRole role = RayRole::camera;
     int number = 0; // of the light, or of the bounce
@@ -28,9 +29,10 @@ struct PathInput {
     const WalkRecorder& recorder;
 };
 
-// All rays behind one ray of the camera, in the order in which the wavefront makes them: the ray,
-// the shadow rays from where it hits, then what a mirror sends on, up to so many bounces. A light
-// behind a surface is asked for no ray.
+// All rays behind one ray of the camera: the ray, the shadow rays from where it hits, then what a
+// mirror sends on, up to so many bounces. Where it meets glass, the refracted ray with all that is
+// behind it, and then the reflected one; of these, only what keeps over 1 in 50 of the light. A
+// light behind a surface is asked for no ray.
 std::vector<PathRay> record_path(const PathInput& input, const Ray& ray, int max_bounces);
 
 // The ray through the centre of a pixel; column 0 is the left one, row 0 the top one.

@@ -24,7 +24,7 @@ const std::vector<PackageRule> package_rules{
     {"stb_", {"common/image/"}},
     {"CLI/", {"common/command/", "visualizer/request.cpp"}},
     {"nlohmann/", {"common/command/", "common/course/", "tests/", "visualizer/state_file.cpp"}},
-    {"vtk", {"visualizer/vtk/", "tests/visualizer/"}},
+    {"vtk", {"visualizer/vtk/", "tests/drawing/"}},
     {"X11/", {"visualizer/vtk/"}},
     {"boost/", {"common/reference/", "tests/"}},
     {"embree3/", {"common/embree/there/"}},

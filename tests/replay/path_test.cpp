@@ -6,6 +6,11 @@
 #include "scene/view.h"
 #include "support/same_bits.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
 using namespace raysteps;
 
 TEST_CASE("a path has the rays that the mirror asks for to shade the pixel", "[replay][path]") {
@@ -79,4 +84,30 @@ TEST_CASE("pixels are counted from the top left", "[replay][path]") {
     REQUIRE(all.size() == 16);
     CHECK(same_bits(all[0], corner));
     CHECK(same_bits(all[4 * 3 + 1], pixel_ray(view, 4, 4, 1, 3)));
+}
+
+TEST_CASE("a ray through a slab of glass is bent twice and goes on in its direction",
+          "[replay][path]") {
+    Material glass;
+    glass.refractive_index = 1.5f;
+    glass.opacity = 0.0f;
+    glass.illumination_model = 7;
+    const Scene scene =
+        add_mesh(Scene{}, box({-9.0f, -9.0f, -1.0f}, {9.0f, 9.0f, 0.0f}), glass);
+    const Replayed replayed(scene, "bvh_ordered", 10.0f);
+    const Ray slanting{{-1.0f, 0.0f, 1.0f}, {1.0f, 0.0f, -1.0f}, 0.0f, no_end};
+    const std::vector<PathRay> path =
+        record_path({scene, replayed.buffers, replayed.recorder}, slanting, 2);
+    REQUIRE(path.size() >= 3);
+    CHECK(path[1].role == RayRole::refraction);
+    CHECK(path[2].role == RayRole::refraction);
+    // Snell: the sine of 45 degrees over 1.5, and back again.
+    const glm::vec3 inside = path[1].walk.ray.direction;
+    CHECK(inside.x / glm::length(inside) == Approx(std::sqrt(0.5) / 1.5).epsilon(1e-6));
+    const glm::vec3 behind = path[2].walk.ray.direction;
+    CHECK(behind.x / glm::length(behind) == Approx(std::sqrt(0.5)).epsilon(1e-6));
+    // 5 in 100 are reflected at 45 degrees, which is over 1 in 50.
+    CHECK(std::any_of(path.begin(), path.end(),
+                      [](const PathRay& ray) { return ray.role == RayRole::mirror; }));
+    CHECK(ray_name(path[1]) == "refracted ray 1");
 }

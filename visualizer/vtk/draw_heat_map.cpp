@@ -70,7 +70,7 @@ void show_image(vtkRenderer& renderer, vtkImageData& image, const Area& area) {
     actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     const int* const origin = renderer.GetOrigin();
     actor->SetPosition(area.x - origin[0], area.y - origin[1]);
-    put_in_front(renderer, *actor);
+    renderer.AddActor2D(actor);
 }
 
 // How many pixels there are of each colour, as bars that lie beside the colours.

@@ -45,18 +45,8 @@ void add_swatch(Column& column, const glm::vec3& color, const std::string& text)
 }
 
 void add_color_bar(Column& column, const Stage& stage, const State& state) {
-    std::vector<double> values;
-    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
-        for (const double value : color_values(*pane, state, choose_cells(*pane, state).cells)) {
-            values.push_back(value);
-        }
-    }
     add_heading(column, "Cells: " + color_title(state.color));
-    if (values.empty()) {
-        add_line(column, "no cell is shown", {.color = faint_ink, .size = 13});
-        return;
-    }
-    const ValueRange range = range_of(values);
+    const ValueRange range = color_range(stage, state);
     constexpr int parts = 64;
     const int width = column.right - column.x;
     for (int i = 0; i < parts; ++i) {
@@ -94,7 +84,8 @@ void add_color_names(Column& column, const Stage& stage, const State& state) {
     };
     for (const auto& [role, name] : {std::pair{RayRole::camera, "camera"},
                                      {RayRole::shadow, "shadow"},
-                                     {RayRole::mirror, "mirror"}}) {
+                                     {RayRole::mirror, "mirror"},
+                                     {RayRole::refraction, "refracted"}}) {
         if (count(role) > 0) {
             add_swatch(column, color_of(role), std::to_string(count(role)) + " " + name);
         }

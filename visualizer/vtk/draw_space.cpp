@@ -67,7 +67,7 @@ DrawnCells draw_cells(vtkRenderer& renderer, const SpaceInput& input, vtkPlane* 
     const Pane& pane = *input.stage.panes()[input.pane];
     const CellChoice choice = choose_cells(pane, input.state);
     const std::vector<double> values = color_values(pane, input.state, choice.cells);
-    const ValueRange range = range_of(values);
+    const ValueRange range = color_range(input.stage, input.state);
     std::vector<Box> boxes;
     std::vector<Rectangle> planes;
     std::vector<double> plane_values;
@@ -117,8 +117,10 @@ std::string title_of(const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const RecordedWalk* walk = walk_in(pane, input.state);
     if (!walk) {
-        return input.stage.scene().name + ", " +
-               std::to_string(triangle_count(input.stage.scene())) + " triangles";
+        const auto all = static_cast<std::size_t>(triangle_count(input.stage.scene()));
+        const auto drawn = static_cast<std::size_t>(input.model->GetNumberOfCells());
+        return input.stage.scene().name + ", " + count_of(all, "triangle") +
+               (drawn < all ? ", of which " + std::to_string(drawn) + " are drawn" : "");
     }
     return count_of(walk->steps.size(), "step") + ", " +
            count_of(walk->tests.size(), "triangle test") + ", " + ending_of(*walk);

@@ -47,6 +47,21 @@ void resize(std::vector<vtkSmartPointer<vtkRenderer>>& renderers, std::size_t co
     }
 }
 
+// Of a large model so many that it can be turned with the mouse, spread over all of it.
+std::vector<glm::vec3> some_triangles(const std::vector<glm::vec3>& corners) {
+    constexpr std::size_t most = 250000;
+    const std::size_t count = corners.size() / 3;
+    const std::size_t stride = (count + most - 1) / most;
+    if (stride <= 1) {
+        return corners;
+    }
+    std::vector<glm::vec3> some;
+    for (std::size_t i = 0; i < count; i += stride) {
+        some.insert(some.end(), {corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]});
+    }
+    return some;
+}
+
 glm::vec3 to_glm(const double* point) {
     return {static_cast<float>(point[0]), static_cast<float>(point[1]),
             static_cast<float>(point[2])};
@@ -111,7 +126,7 @@ Camera Drawing::viewpoint() const {
 std::vector<DrawnPane> Drawing::draw(const Stage& stage, const State& state) {
     arrange(stage, state);
     if (model_of_ != stage.scene().corners.data() || !model_) {
-        model_ = triangles(stage.scene().corners);
+        model_ = triangles(some_triangles(stage.scene().corners));
         model_of_ = stage.scene().corners.data();
     }
     std::vector<DrawnPane> drawn;

@@ -117,7 +117,7 @@ void export_gltf(const fs::path& path, const Drawing& drawing, vtkRenderWindow& 
 }
 
 // VTK writes a folder; the page reads it as one archive.
-void export_vtkjs(const fs::path& path, vtkRenderWindow& window) {
+void export_vtkjs(const fs::path& path, const Drawing& drawing, vtkRenderWindow& window) {
     fs::path folder = path;
     folder += ".folder";
     std::error_code ignored;
@@ -125,6 +125,7 @@ void export_vtkjs(const fs::path& path, vtkRenderWindow& window) {
     vtkNew<vtkJSONSceneExporter> exporter;
     exporter->SetFileName(folder.c_str());
     exporter->SetRenderWindow(&window);
+    exporter->SetActiveRenderer(drawing.spaces().front());
     exporter->Write();
     check_written(true, folder);
     zip_folder(folder, path);
@@ -147,7 +148,7 @@ void export_drawing(const fs::path& path, const Stage& stage, const State& state
     } else if (form == ".gltf") {
         export_gltf(path, drawing, window);
     } else if (form == ".vtkjs") {
-        export_vtkjs(path, window);
+        export_vtkjs(path, drawing, window);
     } else {
         throw InputError("--export " + path.string() +
                          ": the ending names the form. Take .vtp, .vtm, .gltf or .vtkjs.");

@@ -71,6 +71,10 @@ void make_context_current() {
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, surface, surface, context)) {
         fail("there is no OpenGL 3.2");
     }
+    // VTK goes on from the state in which it finds OpenGL, and counts on drawing over what is
+    // there.
+    constexpr unsigned less_or_equal = 0x0203; // GL_LEQUAL
+    reinterpret_cast<void (*)(unsigned)>(eglGetProcAddress("glDepthFunc"))(less_or_equal);
     made = true;
 }
 
@@ -81,7 +85,8 @@ public:
     static QuietWindow* New();
     vtkTypeMacro(QuietWindow, vtkGenericOpenGLRenderWindow)
 
-        protected : void OpenGLInitContext() override {
+protected:
+    void OpenGLInitContext() override {
         const int shown = vtkObject::GetGlobalWarningDisplay();
         vtkObject::SetGlobalWarningDisplay(0);
         Superclass::OpenGLInitContext();
@@ -91,8 +96,8 @@ public:
 
 vtkStandardNewMacro(QuietWindow)
 
-    // VTK asks a generic window's owner whether its context is there.
-    void answer_yes(vtkObject*, unsigned long, void*, void* answer) {
+// VTK asks a generic window's owner whether its context is there.
+void answer_yes(vtkObject*, unsigned long, void*, void* answer) {
     *static_cast<bool*>(answer) = true;
 }
 

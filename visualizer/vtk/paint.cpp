@@ -9,7 +9,6 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
 #include <vtkTextActor.h>
@@ -92,14 +91,6 @@ glm::ivec2 corner_of(vtkRenderer& renderer) {
 
 } // namespace
 
-ValueRange range_of(const std::vector<double>& values) {
-    if (values.empty()) {
-        return {};
-    }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return *least < *most ? ValueRange{*least, *most} : ValueRange{*least, *least + 1.0};
-}
-
 glm::vec3 color_in(const ValueRange& range, double value) {
     const double part = (value - range.lower) / (range.upper - range.lower);
     // The brightest yellow is hard to see on paper.
@@ -151,7 +142,7 @@ void write(vtkRenderer& renderer, const std::string& text, const glm::ivec2& pla
     const glm::ivec2 corner = corner_of(renderer);
     actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     actor->SetPosition(place.x - corner.x, place.y - corner.y);
-    put_in_front(renderer, *actor);
+    renderer.AddActor2D(actor);
 }
 
 void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color) {
@@ -169,16 +160,7 @@ void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color) {
     actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     const glm::ivec2 origin = corner_of(renderer);
     actor->SetPosition(area.x - origin.x, area.y - origin.y);
-    put_in_front(renderer, *actor);
-}
-
-void put_in_front(vtkRenderer& renderer, vtkProp& flat) {
-    renderer.AddViewProp(&flat);
-    vtkPropCollection& all = *renderer.GetViewProps();
-    if (all.GetNumberOfItems() > 1) { // an empty list cannot be inserted into
-        all.RemoveItem(&flat);
-        all.InsertItem(-1, &flat);
-    }
+    renderer.AddActor2D(actor);
 }
 
 int size_to_fit(const std::string& text, int width, int most) {

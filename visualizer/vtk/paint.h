@@ -1,12 +1,12 @@
 #pragma once
 
+#include "visualizer/cell_choice.h"
 #include "visualizer/layout.h"
 #include "visualizer/vtk/shapes.h"
 
 #include <glm/vec3.hpp>
 #include <vtkActor.h>
 #include <vtkPlane.h>
-#include <vtkProp.h>
 #include <vtkRenderer.h>
 
 #include <string>
@@ -23,14 +23,6 @@ struct Look {
     bool wireframe = false;
     vtkPlane* clip = nullptr; // takes away what lies behind it
 };
-
-// Where values have colours: from the lower (dark blue) to the upper (yellow).
-struct ValueRange {
-    double lower = 0.0;
-    double upper = 1.0;
-};
-
-ValueRange range_of(const std::vector<double>& values);
 
 // The sRGB colour of a value in its range.
 glm::vec3 color_in(const ValueRange& range, double value);
@@ -59,10 +51,6 @@ void write(vtkRenderer& renderer, const std::string& text, const glm::ivec2& pla
 
 // A filled part of the window.
 void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color);
-
-// Puts something flat before all that is there. VTK draws flat things in their order, and keeps of
-// each pixel what came first: so the one in front has to be the first.
-void put_in_front(vtkRenderer& renderer, vtkProp& flat);
 
 // As large as the line fits the width in pixels, from 11 to the most; a letter is about 0.6 of its
 // size wide.

@@ -33,7 +33,7 @@ public:
     static Style* New();
     vtkTypeMacro(Style, vtkInteractorStyleTrackballCamera)
 
-        std::function<void(const std::string& key)> on_key;
+    std::function<void(const std::string& key)> on_key;
     std::function<void(const glm::ivec2& place)> on_panel;
     std::function<bool(const glm::ivec2& place)> is_panel;
     std::function<void(const glm::ivec2& place, bool shift)> on_click;
@@ -99,11 +99,11 @@ private:
 
 vtkStandardNewMacro(Style)
 
-    // The window with its state.
-    class Session {
+// The window with its state.
+class Session {
 public:
     Session(const Request& request, Stage& stage)
-        : request_(request), state_(request.state), stage_(stage), drawing_(*window_) {
+        : state_(request.state), stage_(stage), drawing_(*window_) {
         window_->SetSize(state_.window.x, state_.window.y);
         window_->SetWindowName(title().c_str());
         interactor_->SetRenderWindow(window_);
@@ -113,7 +113,7 @@ public:
             return is_on_panel(state_, stage_, place);
         };
         style_->on_panel = [this](const glm::ivec2& place) {
-            change(after_click(state_, stage_, place));
+            show(after_click(now(), stage_, place));
         };
         style_->on_click = [this](const glm::ivec2& place, bool shift) { click(place, shift); };
         style_->set_peels = [this](int peels) { set_peels(peels); };
@@ -143,15 +143,6 @@ private:
         return state;
     }
 
-    void change(State next) {
-        if (next.viewpoint && state_.viewpoint == std::nullopt) {
-            state_.viewpoint = next.viewpoint;
-        } else if (next.viewpoint) {
-            next.viewpoint = drawing_.viewpoint();
-        }
-        show(next);
-    }
-
     void show(const State& next) {
         try {
             stage_.show(next);
@@ -168,12 +159,11 @@ private:
         if (key == "q" || key == "e") {
             interactor_->TerminateApp();
         } else if (key == "F12") {
-            const std::filesystem::path path = new_path();
+            const std::filesystem::path path = new_path(".png");
             write_screenshot(*window_, path);
             std::cout << "wrote     " << path.string() << "\n" << std::flush;
         } else if (key == "k") {
-            std::filesystem::path path = new_path();
-            path.replace_extension(".json");
+            const std::filesystem::path path = new_path(".json");
             save_state(path, now());
             std::cout << "wrote     " << path.string() << "\n" << std::flush;
         } else if (key == "r") {
@@ -247,21 +237,16 @@ private:
     }
 
     // One that no file has.
-    std::filesystem::path new_path() const {
-        std::filesystem::path path = request_.screenshot;
-        if (path.empty()) {
-            path = picture_path(state_);
-        }
+    std::filesystem::path new_path(const std::string& ending) const {
+        const std::filesystem::path path = picture_path(state_).replace_extension(ending);
         std::filesystem::path numbered = path;
         for (int i = 2; std::filesystem::exists(numbered); ++i) {
             numbered = path;
-            numbered.replace_filename(path.stem().string() + "_" + std::to_string(i) +
-                                      path.extension().string());
+            numbered.replace_filename(path.stem().string() + "_" + std::to_string(i) + ending);
         }
         return numbered;
     }
 
-    const Request& request_;
     State state_;
     Stage& stage_;
     vtkNew<vtkRenderWindow> window_;
@@ -274,7 +259,8 @@ private:
 } // namespace
 
 std::filesystem::path picture_path(const State& state) {
-    std::string name = std::filesystem::path(state.scene).stem().string();
+    std::string name = state.hard_case.empty() ? std::filesystem::path(state.scene).stem().string()
+                                               : state.hard_case;
     for (const std::string& structure : state.structures) {
         name += "_" + structure;
     }

@@ -1,4 +1,4 @@
-#include "effects/material_effects.h"
+#include "scene/material_effects.h"
 
 namespace raysteps {
 

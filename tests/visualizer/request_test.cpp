@@ -1,0 +1,115 @@
+#include "visualizer/request.h"
+
+#include "catch.h"
+#include "error/error.h"
+#include "shown.h"
+#include "support/scratch_folder.h"
+#include "visualizer/state_file.h"
+
+using namespace raysteps;
+using namespace raysteps::view;
+
+namespace {
+
+Request request_of(std::vector<std::string> words) {
+    words.insert(words.begin(), "visualizer");
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    return read_request(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::string sentence_of(const std::vector<std::string>& words) {
+    try {
+        request_of(words);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("options become a state", "[visualizer][request]") {
+    const Request request = request_of(
+        {"mirrors", "--structure", "grid,kd_ropes", "--pixel", "3,4", "--size", "64x32", "--step",
+         "7", "--levels", "2-5", "--color", "cost", "--split", "median", "--clip",
+         "0,1,2,0,0,4", "--table", "depth", "--screenshot", "a.png"});
+    const State& state = request.state;
+    CHECK(state.scene == "mirrors");
+    CHECK(state.structures == std::vector<std::string>{"grid", "kd_ropes"});
+    CHECK(*state.pixel == glm::ivec2(3, 4));
+    CHECK(state.picture == glm::ivec2(64, 32));
+    CHECK(state.step == 6);
+    CHECK(state.lowest_level == 2);
+    CHECK(state.highest_level == 5);
+    CHECK(state.color == CellColor::cost);
+    CHECK(state.filter == CellFilter::visited);
+    CHECK(state.build_values.at("split") == "median");
+    CHECK(state.clip->normal == glm::vec3(0, 0, 1));
+    CHECK(state.table);
+    CHECK(state.sort_by == SortBy::depth);
+    CHECK(request.screenshot == "a.png");
+    CHECK(request_of({"--structure", "kd", "--walk", "restart"}).state.structures.front() ==
+          "kd_restart");
+    CHECK(request_of({"--step", "parting"}).to_parting);
+    CHECK(!request_of({"--help"}).help.empty());
+}
+
+TEST_CASE("options that make no sense are named in a sentence", "[visualizer][request]") {
+    CHECK_THAT(sentence_of({"--pixel", "3"}), contains_text("--pixel 3"));
+    CHECK_THAT(sentence_of({"--ray", "0,0,0,0,0,0"}), contains_text("--ray"));
+    CHECK_THAT(sentence_of({"--ray", "1,2,3"}), contains_text("six numbers"));
+    CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}), contains_text("both"));
+    CHECK_THAT(sentence_of({"--step", "0"}), contains_text("--step 0"));
+    CHECK_THAT(sentence_of({"--levels", "5-2"}), contains_text("--levels 5-2"));
+    CHECK_THAT(sentence_of({"--color", "mood"}), contains_text("visits"));
+    CHECK_THAT(sentence_of({"--walk", "crawl", "--structure", "kd"}), contains_text("kd_ropes"));
+    CHECK_THAT(sentence_of({"--window-size", "10x10"}), contains_text("320x240"));
+    CHECK_THAT(sentence_of({"--hard-case", "Q9"}), contains_text("Q9"));
+    CHECK_THAT(sentence_of({"bunny", "--hard-case", "K3"}), contains_text("bunny"));
+    CHECK_THAT(sentence_of({"--no-such-option"}), contains_text("--no-such-option"));
+    CHECK_THAT(sentence_of({"--state", "no_such_file.json"}), contains_text("no_such_file.json"));
+}
+
+TEST_CASE("a saved state is the same state again", "[visualizer][state]") {
+    const ScratchFolder folder("visualizer_state");
+    State state = mirrors_state("grid");
+    state.ray = Ray{{0.1f, -2.5e-8f, 3.0f}, {1.0f / 3.0f, 7.0f, -0.0f}, 0.25f, 1e30f};
+    state.pixel.reset();
+    state.camera = Camera{{1, 2, 3.3f}, {4, 5, 6}, {0, 0, 1}, 33.3f};
+    state.viewpoint = state.camera;
+    state.clip = ClipPlane{{1, 2, 3}, {0, 1, 0}};
+    state.build_values["density"] = "2";
+    state.hard_ray = 5;
+    state.step = 4;
+    state.table = true;
+    state.sort_by = SortBy::area;
+    state.heat_map = HeatMap::tests;
+    save_state(folder / "a.json", state);
+    CHECK(state_text(read_state(folder / "a.json")) == state_text(state));
+    const Ray read = *read_state(folder / "a.json").ray;
+    CHECK(read.direction == state.ray->direction);
+    CHECK(read.origin == state.ray->origin);
+    const Request request = request_of({"--state", (folder / "a.json").string(), "--step", "9"});
+    CHECK(request.state.step == 8);
+    CHECK(request.state.sort_by == SortBy::area);
+}
+
+TEST_CASE("a file that is no state says what is wrong with it", "[visualizer][state]") {
+    const auto sentence = [](const std::string& text) {
+        try {
+            parse_state(text, "a.json");
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK_THAT(sentence("{"), contains_text("a.json"));
+    CHECK_THAT(sentence("[]"), contains_text("structures"));
+    CHECK_THAT(sentence(R"({"structures": ["grid"], "color": "mood"})"), contains_text("color"));
+    CHECK_THAT(sentence(R"({"structures": ["grid"], "pixel": [1]})"), contains_text("pixel"));
+    CHECK_THAT(sentence(R"({"structures": ["grid"], "window": [0, 9]})"), contains_text("window"));
+    CHECK(sentence(R"({"structures": ["grid"]})").empty());
+}

@@ -1,0 +1,190 @@
+#include "catch.h"
+#include "error/error.h"
+#include "shown.h"
+#include "visualizer/cell_choice.h"
+#include "visualizer/heat.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+using namespace raysteps;
+using namespace raysteps::view;
+
+TEST_CASE("a stage shows each structure with the walks of the same ray", "[visualizer][stage]") {
+    State state = mirrors_state();
+    state.structures = {"grid", "kd_ropes", "bvh_ordered:split=median"};
+    Stage stage;
+    stage.show(state);
+    REQUIRE(stage.panes().size() == 3);
+    REQUIRE(stage.ray());
+    const int hit = walk_in(*stage.panes()[0], state)->hit.triangle;
+    CHECK(hit != no_triangle);
+    for (const auto& pane : stage.panes()) {
+        CHECK(walk_in(*pane, state)->hit.triangle == hit);
+        CHECK(pane->path.size() == stage.panes()[0]->path.size());
+    }
+    CHECK(stage.panes()[2]->structure == "bvh_ordered");
+    CHECK(stage.panes()[2]->label == "bvh_ordered:split=median");
+}
+
+TEST_CASE("a stage builds anew only what has changed", "[visualizer][stage]") {
+    std::vector<std::string> said;
+    Stage stage([&](const std::string& what) { said.push_back(what); });
+    State state = mirrors_state();
+    stage.show(state);
+    CHECK(said == std::vector<std::string>{"loading mirrors", "building bvh_ordered"});
+    said.clear();
+    state.step = 3;
+    state.pixel = glm::ivec2(10, 10);
+    stage.show(state);
+    CHECK(said.empty());
+    state.heat_map = HeatMap::visits;
+    stage.show(state);
+    CHECK(said == std::vector<std::string>{"tracing every pixel through bvh_ordered"});
+    said.clear();
+    stage.show(state);
+    CHECK(said.empty());
+    state.structures = {"grid"};
+    stage.show(state);
+    CHECK(said == std::vector<std::string>{"building grid", "tracing every pixel through grid"});
+}
+
+TEST_CASE("the heat map has the counts of each pixel's own ray", "[visualizer][stage]") {
+    State state = mirrors_state("kd_short_stack");
+    state.heat_map = HeatMap::tests;
+    Stage stage;
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    REQUIRE(pane.counted.size() == 64 * 64);
+    const std::vector<float> tests = heat_values(pane, HeatMap::tests);
+    const std::vector<float> visits = heat_values(pane, HeatMap::visits);
+    for (const glm::ivec2 pixel : {glm::ivec2(25, 38), glm::ivec2(0, 0), glm::ivec2(63, 20)}) {
+        state.pixel = pixel;
+        stage.show(state);
+        const RecordedWalk& walk = *walk_in(pane, state);
+        const auto place = static_cast<std::size_t>(64 * pixel.y + pixel.x);
+        CHECK(tests[place] == static_cast<float>(walk.tests.size()));
+        CHECK(visits[place] == static_cast<float>(walk.steps.size()));
+    }
+}
+
+TEST_CASE("a heat map's last colour is what 99 in 100 pixels stay below", "[visualizer][stage]") {
+    std::vector<float> values(200, 0.0f);
+    std::iota(values.begin(), values.begin() + 100, 1.0f); // and 100 pixels that cost nothing
+    CHECK(heat_limit(values) == 99.0);
+    CHECK(heat_limit({0.0f, 0.0f}) == 1.0);
+    CHECK(histogram_of({0.0f, 1.0f, 2.5f, 9.0f}, 4.0, 4) == std::vector<std::size_t>{1, 1, 1, 1});
+}
+
+TEST_CASE("the cells shown of a walk are those that it came to and did not leave out",
+          "[visualizer][cells]") {
+    Stage stage;
+    State state = mirrors_state();
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    const RecordedWalk& walk = *walk_in(pane, state);
+    for (int last = 0; last < static_cast<int>(walk.steps.size()); ++last) {
+        state.step = last;
+        std::set<int> expected;
+        for (int i = 0; i <= last; ++i) {
+            const Step& step = walk.steps[static_cast<std::size_t>(i)];
+            if (!is_culled(step.outcome)) {
+                expected.insert(step.cell);
+            }
+        }
+        const std::vector<int> shown = choose_cells(pane, state).cells;
+        CHECK(std::set<int>(shown.begin(), shown.end()) == expected);
+        CHECK(shown.size() == expected.size());
+    }
+}
+
+TEST_CASE("levels and filters choose cells and a limit says how many it left out",
+          "[visualizer][cells]") {
+    Stage stage;
+    State state = mirrors_state("kd_restart");
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    const auto count = [&](auto wanted) {
+        return static_cast<std::size_t>(
+            std::count_if(pane.cells.cells.begin(), pane.cells.cells.end(), wanted));
+    };
+    state.filter = CellFilter::all;
+    state.lowest_level = state.highest_level = 4;
+    CHECK(choose_cells(pane, state).cells.size() ==
+          count([](const Cell& cell) { return cell.depth == 4; }));
+    state.filter = CellFilter::occupied;
+    state.lowest_level = 2;
+    const std::size_t occupied = count([](const Cell& cell) {
+        return cell.depth >= 2 && cell.depth <= 4 && cell.triangles > 0;
+    });
+    CHECK(choose_cells(pane, state).cells.size() == occupied);
+    state.most_cells = 5;
+    CHECK(choose_cells(pane, state).cells.size() == 5);
+    CHECK(choose_cells(pane, state).left_out == occupied - 5);
+}
+
+TEST_CASE("the table has every cell once in the order asked for", "[visualizer][cells]") {
+    Stage stage;
+    State state = mirrors_state();
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    for (const SortBy sort_by :
+         {SortBy::id, SortBy::depth, SortBy::count, SortBy::area, SortBy::cost}) {
+        state.sort_by = sort_by;
+        const std::vector<int> order = sorted_cells(pane, state);
+        CHECK(std::set<int>(order.begin(), order.end()).size() == pane.cells.cells.size());
+    }
+    state.sort_by = SortBy::count;
+    CHECK(sorted_cells(pane, state).front() == 0); // the root has them all
+    state.descending = false;
+    const Cell& least =
+        pane.cells.cells[static_cast<std::size_t>(sorted_cells(pane, state).front())];
+    CHECK(least.triangles == 1);
+}
+
+TEST_CASE("what a state asks for in vain is named in a sentence", "[visualizer][stage]") {
+    Stage stage;
+    const auto sentence_of = [&](const State& state) {
+        try {
+            stage.show(state);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK_THAT(sentence_of(mirrors_state("octree")), contains_text("octree"));
+    State state = mirrors_state();
+    state.scene = "no_such_scene";
+    CHECK_THAT(sentence_of(state), contains_text("no_such_scene"));
+    state = mirrors_state();
+    state.pixel = glm::ivec2(64, 0);
+    CHECK_THAT(sentence_of(state), contains_text("--pixel 64,0") && contains_text("63,63"));
+    state = mirrors_state("bvh_ordered:spilt=median");
+    CHECK_THAT(sentence_of(state), contains_text("spilt"));
+    state = mirrors_state("bvh_ordered:median");
+    CHECK_THAT(sentence_of(state), contains_text("NAME=VALUE"));
+    state = mirrors_state("grid");
+    state.build_values["bins"] = "8";
+    CHECK_THAT(sentence_of(state), contains_text("--bins"));
+    // The stage goes on with the next state.
+    CHECK(sentence_of(mirrors_state()).empty());
+    CHECK(stage.panes().size() == 1);
+}
+
+TEST_CASE("hard cases come with a ray that breaks a usual method", "[visualizer][hard_case]") {
+    for (const auto& [name, structure, method] :
+         {std::tuple{"G1", "grid", "first hit"}, {"K3", "kd_restart", "first hit"},
+          {"T1", "bvh_ordered", "Moeller"}}) {
+        CAPTURE(name);
+        State state;
+        state.hard_case = name;
+        state.structures = {structure};
+        Stage stage;
+        stage.show(state);
+        REQUIRE(stage.ray());
+        CHECK_THAT(stage.note(), contains_text(name) && contains_text(method));
+        state.hard_ray = 1'000'000'000;
+        CHECK_THROWS_WITH(stage.show(state), contains_text("--hard-ray"));
+    }
+}
