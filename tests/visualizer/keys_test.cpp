@@ -95,7 +95,7 @@ TEST_CASE("a click on a slider sets its value", "[visualizer][mouse]") {
     Stage stage;
     State state = mirrors_state();
     stage.show(state);
-    const Layout layout = layout_of(state, 1);
+    const view::Layout layout = layout_of(state, 1);
     const int steps = step_count(stage, state);
     CHECK(after_click(state, stage, middle_of(layout.step_slider)).step == steps / 2);
     CHECK(after_click(state, stage, middle_of(layout.opacity_slider)).opacity ==
