@@ -51,7 +51,7 @@ long count_cells(const Pane& pane, int level) {
 State picture_state(const std::string& structure) {
     State state = mirrors_state(structure);
     state.table = true;
-    state.window = {640, 400};
+    state.window = {1100, 700};
     return state;
 }
 

@@ -123,14 +123,17 @@ std::string title_of(const SpaceInput& input) {
                (drawn < all ? ", of which " + std::to_string(drawn) + " are drawn" : "");
     }
     return count_of(walk->steps.size(), "step") + ", " +
-           count_of(walk->tests.size(), "triangle test") + ", " + ending_of(*walk);
+           count_of(walk->tests.size(), "triangle test") + "\n" + ending_of(*walk);
 }
 
 void write_title(vtkRenderer& renderer, const Area& area, const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const int top = area.y + area.height;
     write(renderer, pane.label, {area.x + margin, top - 28}, {.size = 18, .font = Font::bold});
-    write(renderer, title_of(input), {area.x + margin, top - 50}, {.color = faint_ink, .size = 13});
+    const std::string title = title_of(input);
+    const bool two_lines = title.find('\n') != std::string::npos;
+    write(renderer, title, {area.x + margin, top - (two_lines ? 36 : 50)},
+          {.color = faint_ink, .size = 13});
 }
 
 } // namespace
