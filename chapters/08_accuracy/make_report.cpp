@@ -134,12 +134,12 @@ int side_of_pictures(const Command& command) {
 
 void make_report(const Command& command, const ReportRequest& request) {
     const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
+    Scene scene = open_scene(command);
+    const auto context = open_context(command);
     if (!command.json.empty()) {
         check_writable(command.json);
     }
     check_writable(command.out / "accuracy.html");
-    Scene scene = open_scene(command);
-    const auto context = open_context(command);
     KnobRequest knobs{nullptr, nullptr, request.effort};
     knobs.effort.limits = measure_limits();
     knobs.effort.seed = request.seed;

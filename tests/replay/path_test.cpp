@@ -92,8 +92,7 @@ TEST_CASE("a ray through a slab of glass is bent twice and goes on in its direct
     glass.refractive_index = 1.5f;
     glass.opacity = 0.0f;
     glass.illumination_model = 7;
-    const Scene scene =
-        add_mesh(Scene{}, box({-9.0f, -9.0f, -1.0f}, {9.0f, 9.0f, 0.0f}), glass);
+    const Scene scene = add_mesh(Scene{}, box({-9.0f, -9.0f, -1.0f}, {9.0f, 9.0f, 0.0f}), glass);
     const Replayed replayed(scene, "bvh_ordered", 10.0f);
     const Ray slanting{{-1.0f, 0.0f, 1.0f}, {1.0f, 0.0f, -1.0f}, 0.0f, no_end};
     const std::vector<PathRay> path =

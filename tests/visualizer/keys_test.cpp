@@ -114,8 +114,7 @@ TEST_CASE("a click on a heat map takes that pixel's ray", "[visualizer][mouse]")
     State state = mirrors_state();
     state.heat_map = HeatMap::visits;
     stage.show(state);
-    const Area picture =
-        picture_area(layout_of(state, 1).heat_maps.front(), state.picture);
+    const Area picture = picture_area(layout_of(state, 1).heat_maps.front(), state.picture);
     const State middle = after_click(state, stage, middle_of(picture));
     REQUIRE(middle.pixel);
     CHECK(std::abs(middle.pixel->x - 32) <= 1);

@@ -33,9 +33,9 @@ std::string sentence_of(const std::vector<std::string>& words) {
 
 TEST_CASE("options become a state", "[visualizer][request]") {
     const Request request = request_of(
-        {"mirrors", "--structure", "grid,kd_ropes", "--pixel", "3,4", "--size", "64x32", "--step",
-         "7", "--levels", "2-5", "--color", "cost", "--split", "median", "--clip",
-         "0,1,2,0,0,4", "--table", "depth", "--screenshot", "a.png"});
+        {"mirrors", "--structure", "grid,kd_ropes", "--pixel", "3,4",     "--size",       "64x32",
+         "--step",  "7",           "--levels",      "2-5",     "--color", "cost",         "--split",
+         "median",  "--clip",      "0,1,2,0,0,4",   "--table", "depth",   "--screenshot", "a.png"});
     const State& state = request.state;
     CHECK(state.scene == "mirrors");
     CHECK(state.structures == std::vector<std::string>{"grid", "kd_ropes"});

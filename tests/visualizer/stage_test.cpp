@@ -115,9 +115,8 @@ TEST_CASE("levels and filters choose cells and a limit says how many it left out
           count([](const Cell& cell) { return cell.depth == 4; }));
     state.filter = CellFilter::occupied;
     state.lowest_level = 2;
-    const std::size_t occupied = count([](const Cell& cell) {
-        return cell.depth >= 2 && cell.depth <= 4 && cell.triangles > 0;
-    });
+    const std::size_t occupied = count(
+        [](const Cell& cell) { return cell.depth >= 2 && cell.depth <= 4 && cell.triangles > 0; });
     CHECK(choose_cells(pane, state).cells.size() == occupied);
     state.most_cells = 5;
     CHECK(choose_cells(pane, state).cells.size() == 5);
@@ -173,9 +172,9 @@ TEST_CASE("what a state asks for in vain is named in a sentence", "[visualizer][
 }
 
 TEST_CASE("hard cases come with a ray that breaks a usual method", "[visualizer][hard_case]") {
-    for (const auto& [name, structure, method] :
-         {std::tuple{"G1", "grid", "first hit"}, {"K3", "kd_restart", "first hit"},
-          {"T1", "bvh_ordered", "Moeller"}}) {
+    for (const auto& [name, structure, method] : {std::tuple{"G1", "grid", "first hit"},
+                                                  {"K3", "kd_restart", "first hit"},
+                                                  {"T1", "bvh_ordered", "Moeller"}}) {
         CAPTURE(name);
         State state;
         state.hard_case = name;
