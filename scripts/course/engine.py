@@ -155,9 +155,10 @@ def ask_reference(engine, program, chapter, questions):
         if isinstance(answers, Failure):
             raise MachineError(f"the project's own sources give no answer: {answers.message}")
         kept.parent.mkdir(parents=True, exist_ok=True)
-        partial = kept.with_suffix(f".{os.getpid()}")
-        partial.write_text(json.dumps({"answers": [vars(answer) for answer in answers]}))
-        partial.rename(kept)
+        # Two threads may ask the same for the first time: each writes a file of its own.
+        with tempfile.NamedTemporaryFile("w", dir=kept.parent, delete=False) as partial:
+            json.dump({"answers": [vars(answer) for answer in answers]}, partial)
+        Path(partial.name).rename(kept)
     answers = _read_answers(kept, len(questions))
     if isinstance(answers, Failure):
         kept.unlink()
