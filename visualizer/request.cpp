@@ -206,7 +206,7 @@ void add_options(CLI::App& app, Written& words, Request& request) {
     app.add_option("--save-state", request.save_to, "write the state to this file (.json)");
     app.add_option("--screenshot", request.screenshot, "write a picture, and open no window");
     app.add_option("--animate", request.animation, "write a picture of each step to this folder");
-    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf or .vtkjs")
+    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf, .vtkjs or .json")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     for (const auto& [name, option] : all_build_options()) {
         app.add_option_function<std::string>(
