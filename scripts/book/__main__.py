@@ -22,7 +22,7 @@ def _parser():
     parser.add_argument("command", choices=("figures", "site", "serve"))
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "default",
                         help="the build folder that has the programs")
-    parser.add_argument("--store", type=Path, default=ROOT / "build" / "book",
+    parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book",
                         help="the folder in which the book is made")
     parser.add_argument("--port", type=int, default=8000, help="where to serve it")
     return parser

@@ -50,8 +50,8 @@ def widen_lists(lines, code):
 
 def open_details(line):
     """The text between HTML's details is Markdown as well."""
-    line = re.sub(r"<details>", '<details markdown="1">', line)
-    return re.sub(r"<summary>", '<summary markdown="span">', line)
+    return re.sub(r"^<details><summary>(.*)</summary>$",
+                  r'<details markdown="1">\n<summary markdown="span">\1</summary>', line)
 
 
 def change_targets(line, change):

@@ -76,6 +76,7 @@ async function bringToLife(figure) {
     ariaLabel: figure.querySelector("img").alt });
   figure.querySelector("img").replaceWith(canvas);
   const scene = makeWalkScene(canvas, walk);
+  figure.scene = scene;
   const controls = makeControls(canvas, walk, scene.show);
   canvas.after(...controls.parts);
   controls.move(0);

@@ -107,7 +107,8 @@ function aimCamera(renderer, walk) {
   renderer.resetCameraClippingRange();
 }
 
-// Draws the walk into the element. Returns {show(step)}, which draws the step of that number.
+// Draws the walk into the element. Returns {show(step), redraw()}: the first draws the step of that
+// number.
 function makeWalkScene(element, walk) {
   const view = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({
     background: [0.97, 0.97, 0.96], listenWindowResize: true,
@@ -124,6 +125,9 @@ function makeWalkScene(element, walk) {
   const hit = addShape(renderer, nothing, walkColors.hit, { lighting: false });
   aimCamera(renderer, walk);
 
+  function redraw() {
+    view.getRenderWindow().render();
+  }
   function show(number) {
     const step = walk.steps[number];
     const isLeftOut = ["missed", "behind", "touched"].includes(step.outcome);
@@ -133,7 +137,7 @@ function makeWalkScene(element, walk) {
     tested.show(trianglesOf(walk, step.tested));
     hit.show(trianglesOf(walk, step.hit));
     renderer.resetCameraClippingRange();
-    view.getRenderWindow().render();
+    redraw();
   }
-  return { show };
+  return { show, redraw };
 }
