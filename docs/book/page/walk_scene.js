@@ -103,8 +103,14 @@ function aimCamera(renderer, walk) {
   camera.setPosition(...middle.map((value, axis) => value + aside[axis]));
   camera.setViewUp(0, 1, 0);
   renderer.resetCamera(bounds);
-  camera.zoom(1.3);
+  camera.zoom(1.1);
   renderer.resetCameraClippingRange();
+}
+
+// The triangles that the last step which hit any has hit, up to that step.
+function lastHit(walk, number) {
+  const steps = walk.steps.slice(0, number + 1).filter((step) => step.hit.length > 0);
+  return steps.length > 0 ? steps[steps.length - 1].hit : [];
 }
 
 // Draws the walk into the element. Returns {show(step), redraw()}: the first draws the step of that
@@ -135,7 +141,7 @@ function makeWalkScene(element, walk) {
     now.show(boxLines(step.box ? [step.box] : []));
     now.actor.getProperty().setColor(...(isLeftOut ? walkColors.leftOut : walkColors.now));
     tested.show(trianglesOf(walk, step.tested));
-    hit.show(trianglesOf(walk, step.hit));
+    hit.show(trianglesOf(walk, lastHit(walk, number)));
     renderer.resetCameraClippingRange();
     redraw();
   }
