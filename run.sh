@@ -5,6 +5,7 @@
 #   ./run.sh 03 [OPTION...]       runs one chapter's program with its options; --help lists them
 #   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
 #   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
+#   ./run.sh book [--port N]      makes the book, and serves it on this machine (127.0.0.1:8000)
 #   ./run.sh --no-install ...     installs nothing: lists what is missing, and stops if anything is
 #   ./run.sh --help               says this
 set -euo pipefail
@@ -15,7 +16,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,9s/^# \{0,1\}//p' run.sh
+  sed -n '2,10s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
@@ -26,8 +27,8 @@ esac
 
 chapter=
 kind=run
-if [ "${1:-}" = view ]; then
-  kind=view
+if [ "${1:-}" = view ] || [ "${1:-}" = book ]; then
+  kind=$1
   shift
 elif [ $# -gt 0 ]; then
   for folder in chapters/"$1"*/; do
@@ -66,7 +67,11 @@ build_and_run() {
   exec "$program" "$@"
 }
 
-if [ $kind = view ]; then
+if [ $kind = book ]; then
+  echo "run.sh: making the book; its programs take some minutes the first time" >&2
+  cmake --build --preset default --target book
+  exec python3 -B scripts/book serve "$@"
+elif [ $kind = view ]; then
   build_and_run visualizer build/default/visualizer/visualizer "$@"
 elif [ -n "$chapter" ]; then
   build_and_run "$chapter" "build/default/chapters/$chapter/$chapter" "$@"

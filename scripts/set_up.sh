@@ -1,6 +1,6 @@
 # What run.sh and test.sh share: installs what is missing. Sourced by both.
 #
-#   set_up run|view|test [--no-install]
+#   set_up run|view|book|test [--no-install]
 #
 # Asks nothing. With --no-install it only lists what is missing.
 
@@ -16,12 +16,16 @@ packages_to_run=(
 # What the visualizer is drawn with.
 packages_to_view=(libvtk9-dev libzip-dev libx11-dev)
 
+# What the book is made with: its pages, its formulas, and the pages of the interfaces.
+packages_to_book=(mkdocs-material python3-pymdownx libjs-katex doxygen ca-certificates)
+
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
-# its runtime, which fuzzes the loader.
+# its runtime, which fuzzes the loader, and a browser, which reads the book.
 packages_to_test=(
   catch2 librapidcheck-dev
   xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema
   clang libclang-rt-dev clang-format
+  chromium chromium-driver python3-selenium
 )
 
 is_installed() {
@@ -39,7 +43,8 @@ set_up() {
   local packages=("${packages_to_run[@]}") missing=() package administrator=()
   case "$1" in
   view) packages+=("${packages_to_view[@]}") ;;
-  test) packages+=("${packages_to_view[@]}" "${packages_to_test[@]}") ;;
+  book) packages+=("${packages_to_view[@]}" "${packages_to_book[@]}") ;;
+  test) packages+=("${packages_to_view[@]}" "${packages_to_book[@]}" "${packages_to_test[@]}") ;;
   esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "set-up: this system has no apt. If the build stops, install what these Debian packages hold:" >&2

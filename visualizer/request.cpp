@@ -103,9 +103,18 @@ glm::ivec2 read_pixel(const std::string& text) {
 }
 
 Ray read_ray(const std::string& text) {
+    const auto numbers = parse_numbers(text);
+    const bool has_range = numbers && numbers->size() == 8;
     const std::vector<float> n =
-        numbers_of("ray", text, 6, "six numbers, the origin x,y,z and the direction x,y,z");
+        has_range ? *numbers
+                  : numbers_of("ray", text, 6,
+                               "six numbers, the origin x,y,z and the direction x,y,z, or eight, "
+                               "with t_min and t_max");
     Ray ray{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, 0.0f, std::numeric_limits<float>::max()};
+    if (has_range) {
+        ray.t_min = n[6];
+        ray.t_max = n[7];
+    }
     if (ray.direction == glm::vec3(0.0f)) {
         throw InputError("--ray " + text + ": the direction is 0,0,0. Give it a length.");
     }
@@ -181,7 +190,7 @@ void add_options(CLI::App& app, Written& words, Request& request) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--walk", words.walk, "with --structure kd: restart, backtrack, ...");
     app.add_option("--pixel", words.pixel, "the ray of this pixel: column,row from the top left");
-    app.add_option("--ray", words.ray, "this ray: ox,oy,oz,dx,dy,dz");
+    app.add_option("--ray", words.ray, "this ray: ox,oy,oz,dx,dy,dz, and perhaps t_min,t_max");
     app.add_option("--bounces", words.bounces, "mirror rays behind a pixel, at most (4)");
     app.add_option("--path-ray", words.path_ray,
                    "which ray behind the pixel to step through; 0 is the camera's");
@@ -206,7 +215,7 @@ void add_options(CLI::App& app, Written& words, Request& request) {
     app.add_option("--save-state", request.save_to, "write the state to this file (.json)");
     app.add_option("--screenshot", request.screenshot, "write a picture, and open no window");
     app.add_option("--animate", request.animation, "write a picture of each step to this folder");
-    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf or .vtkjs")
+    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf, .vtkjs or .json")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     for (const auto& [name, option] : all_build_options()) {
         app.add_option_function<std::string>(

@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 from . import check, engine as engines, exercises as catalog, grade, report, submission, verify
-from . import workbook
+from . import view as viewer, workbook
 from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError
 
 WORKBOOK = catalog.ROOT / "workbook"
@@ -113,6 +113,25 @@ def check_some(options):
             time.sleep(0.3)
         code = _check_once(options, engine)
     return code
+
+
+def view(options):
+    exercise = catalog.select_one(catalog.load(), options.which)
+    engine = _engine(options)
+    rays = _given_ray(options)
+    if rays:
+        return viewer.open_visualizer(engine, viewer.given_ray(exercise, rays[0]),
+                                      options.screenshot)
+    workbook.require(options.workbook)
+    result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures")
+    print(report.as_text(result), flush=True)
+    words = viewer.wrong_ray(result)
+    if words is None:
+        print("There is no wrong ray in a scene to look at; --ray shows one of your own.")
+        fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
+        return DONE if result.state in fine else CHECK_FAILED
+    print("What you see is the right walk, by the project's own lines.", flush=True)
+    return viewer.open_visualizer(engine, words, options.screenshot)
 
 
 def hint(options):
@@ -278,7 +297,7 @@ def _parser():
         command.set_defaults(run=run)
         if which:
             command.add_argument("which", **which)
-        if name != "grade":
+        if name not in ("grade", "view"):
             command.add_argument("--json", action="store_true", help="print JSON")
         return command
 
@@ -289,6 +308,9 @@ def _parser():
     command = add("check", check_some, "check exercises", **some)
     command.add_argument("--watch", action="store_true", help="check again at each change")
     command.add_argument("--ray", help="only this ray: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
+    command = add("view", view, "the visualizer at the first wrong ray of an exercise", **one)
+    command.add_argument("--ray", help="this ray instead: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
+    command.add_argument("--screenshot", metavar="FILE", help="a picture instead of a window")
     command = add("hint", hint, "a hint, in three levels", **one)
     command.add_argument("--level", type=int, choices=(1, 2, 3), default=1)
     add("show", show, "task, file, formulas and source of an exercise", **one)

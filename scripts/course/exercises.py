@@ -31,6 +31,7 @@ class Checkpoint:
     values: list  # pairs of name and type: float, int or bool
     tolerance: float
     known: list  # of {ray, step, expected, because}
+    view: list = field(default_factory=list)  # of a scene that is no sample: its file, and options
 
 
 @dataclass
@@ -60,6 +61,11 @@ def from_bits(number):
     return struct.unpack("<f", struct.pack("<I", number))[0]
 
 
+def ray_text(ray):
+    """As --ray takes it: nine digits give a number of single precision back, bit for bit."""
+    return ",".join(f"{from_bits(word):.9g}" for word in ray)
+
+
 def ray_bits(ray):
     """Six numbers are a ray without an end, eight have t_min and t_max too."""
     if len(ray) not in (6, 8):
@@ -84,7 +90,7 @@ def _checkpoint(table, place):
             raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, int "
                               "or bool. Write it so.")
     return Checkpoint(table["name"], question, values,
-                      table.get("tolerance", USUAL_TOLERANCE), known)
+                      table.get("tolerance", USUAL_TOLERANCE), known, table.get("view", []))
 
 
 def _exercise(table, chapter, place):

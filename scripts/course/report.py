@@ -4,7 +4,8 @@ import math
 import os
 
 from .check import FAILED, MISSING, NOT_STARTED, PASSED
-from .exercises import from_bits
+from .exercises import from_bits, ray_text
+from .view import wrong_ray
 
 NAMES = ("origin", "direction", "t_min", "t_max")
 
@@ -20,11 +21,6 @@ def _for_json(value):
     """JSON has no infinity and no number that is none: those are words."""
     is_none = isinstance(value, float) and not math.isfinite(value)
     return number(value) if is_none else value
-
-
-def ray_text(ray):
-    """As --ray takes it."""
-    return ",".join(number(from_bits(word)) for word in ray)
 
 
 def replay(result):
@@ -117,6 +113,8 @@ def as_text(result):
                          f"{pictures['wrong_pixels']} that are wrong")
     if replay(result):
         lines.append(f"  replay     {replay(result)}")
+    if wrong_ray(result):
+        lines.append(f"  view       ./course view {exercise.number}")
     return "\n".join(lines)
 
 

@@ -57,10 +57,19 @@ TEST_CASE("options become a state", "[visualizer][request]") {
     CHECK(!request_of({"--help"}).help.empty());
 }
 
+TEST_CASE("a ray of eight numbers has a range", "[visualizer][request]") {
+    const Ray ray = *request_of({"--ray", "1,2,3,0,0,1,0.5,4"}).state.ray;
+    CHECK(ray.origin == glm::vec3(1, 2, 3));
+    CHECK(ray.t_min == 0.5f);
+    CHECK(ray.t_max == 4.0f);
+    CHECK(request_of({"--ray", "1,2,3,0,0,1"}).state.ray->t_min == 0.0f);
+}
+
 TEST_CASE("options that make no sense are named in a sentence", "[visualizer][request]") {
     CHECK_THAT(sentence_of({"--pixel", "3"}), contains_text("--pixel 3"));
     CHECK_THAT(sentence_of({"--ray", "0,0,0,0,0,0"}), contains_text("--ray"));
     CHECK_THAT(sentence_of({"--ray", "1,2,3"}), contains_text("six numbers"));
+    CHECK_THAT(sentence_of({"--ray", "0,0,0,1,0,0,0"}), contains_text("or eight"));
     CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}), contains_text("both"));
     CHECK_THAT(sentence_of({"--step", "0"}), contains_text("--step 0"));
     CHECK_THAT(sentence_of({"--levels", "5-2"}), contains_text("--levels 5-2"));

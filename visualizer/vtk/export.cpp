@@ -3,6 +3,7 @@
 #include "error/error.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/vtk/zip_folder.h"
+#include "visualizer/walk_file.h"
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
@@ -149,9 +150,11 @@ void export_drawing(const fs::path& path, const Stage& stage, const State& state
         export_gltf(path, drawing, window);
     } else if (form == ".vtkjs") {
         export_vtkjs(path, drawing, window);
+    } else if (form == ".json") {
+        write_walk(path, stage, state);
     } else {
         throw InputError("--export " + path.string() +
-                         ": the ending names the form. Take .vtp, .vtm, .gltf or .vtkjs.");
+                         ": the ending names the form. Take .vtp, .vtm, .gltf, .vtkjs or .json.");
     }
 }
 

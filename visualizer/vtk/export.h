@@ -12,6 +12,7 @@ namespace raysteps::view {
 // .vtm   the same, the model, the rays and the triangles tested, as blocks (ParaView)
 // .gltf  the picture in space
 // .vtkjs the same for VTK's viewers on web pages
+// .json  the model and each step of the walk, for the figures of the book (walk_file.h)
 // Throws InputError where there is no such form, or the file cannot be written.
 void export_drawing(const std::filesystem::path& path, const Stage& stage, const State& state,
                     const Drawing& drawing, vtkRenderWindow& window);

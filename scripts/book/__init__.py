@@ -1,0 +1,1 @@
+"""Makes the book of Raysteps: see docs/book."""

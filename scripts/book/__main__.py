@@ -1,0 +1,52 @@
+"""python3 -B scripts/book figures|site|serve: makes the book's figures, makes it, serves it."""
+
+import argparse
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from book.contents import ROOT  # noqa: E402  (the path has to be there first)
+from book.errors import DONE, WRONG_INPUT, BookError  # noqa: E402
+from book.figures import make_figures  # noqa: E402
+from book.serve import serve  # noqa: E402
+from book.site import make_site  # noqa: E402
+
+
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="book", description="The book of Raysteps.")
+    parser.add_argument("command", choices=("figures", "site", "serve"))
+    parser.add_argument("--build", type=Path, default=ROOT / "build" / "default",
+                        help="the build folder that has the programs")
+    parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book",
+                        help="the folder in which the book is made")
+    parser.add_argument("--port", type=int, default=8000, help="where to serve it")
+    return parser
+
+
+def main(arguments):
+    """The exit code: 0 done, 1 the book has a fault, 2 wrong usage, 3 the machine lacks something."""
+    options = _parser().parse_args(arguments)
+    store, build = options.store.resolve(), options.build.resolve()
+    try:
+        if options.command == "figures":
+            make_figures(ROOT, build, store / "figures", say)
+        elif options.command == "site":
+            say(f"book: wrote {make_site(ROOT, store, say)}/index.html")
+        elif not (store / "site" / "index.html").exists():
+            say("book: there is no book yet. `./run.sh book` makes it.")
+            return WRONG_INPUT
+        else:
+            serve(store / "site", options.port)
+    except BookError as error:
+        say(f"book: {error}")
+        return error.code
+    return DONE
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,92 @@
+"""Where a link of a page leads in the book: to another page, to a picture, or to a source file,
+which the book shows as a page of its own kind."""
+
+import html
+import os
+import shutil
+from pathlib import Path
+
+from .errors import BookError
+
+PICTURES = (".png", ".svg", ".jpg")
+SOURCE_PAGE = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>{title}</title>
+<meta name="viewport" content="width=device-width">
+<link rel="icon" href="data:,">
+<style>
+body {{ font: 15px sans-serif; margin: 1em; }}
+ol {{ font: 13px monospace; white-space: pre; overflow-x: auto; padding-left: 4em; }}
+li::marker {{ color: #888; }}
+li:target {{ background: #ffec99; }}
+</style></head><body><h1>{title}</h1>
+{body}
+</body></html>
+"""
+
+
+class Links:
+    """Knows the pages, and copies what they point to into the folder of the book."""
+
+    def __init__(self, root, out, page_names, made, has_viewer=True):
+        self.root, self.out, self.page_names, self.made = root, out, page_names, made
+        self.has_viewer = has_viewer  # else figures stand still, and say so
+        self.written = set()
+
+    def target(self, page, place, target, is_picture):
+        """The link for `target`, which stands in the file `page`; `place` is FILE:LINE."""
+        if "://" in target or target.startswith(("#", "mailto:", "../api/", "api/")):
+            return target
+        path_text, _, anchor = target.partition("#")
+        path = Path(os.path.normpath(self.root / page.parent / path_text)).relative_to(self.root)
+        mark = f"#{anchor}" if anchor else ""
+        if not (self.root / path).exists():
+            raise BookError(f"{place}: {target} leads to {path}, which is not there. Mend the link.")
+        if path in self.page_names:
+            return self.page_names[path] + mark
+        folder_page = path / "README.md"
+        if folder_page in self.page_names:
+            return self.page_names[folder_page] + mark
+        if path == Path("README.md") or path == Path("."):
+            return "index.md"
+        if is_picture or path.suffix in PICTURES:
+            return self.picture(path)
+        return self.source(path) + mark
+
+    def picture(self, path):
+        """A picture of the book's own making is taken before the one that lies in the project."""
+        name = "pictures/" + "_".join(path.parts)
+        made = self.made / path
+        self.copy(made if made.exists() else self.root / path, name)
+        return name
+
+    def source(self, path):
+        """A file as lines with numbers; a folder as a list of its files."""
+        name = f"source/{'/'.join(path.parts)}.html"
+        if name not in self.written:
+            self.written.add(name)
+            place = self.root / path
+            body = self._files(path) if place.is_dir() else self._lines(place)
+            to = self.out / name
+            to.parent.mkdir(parents=True, exist_ok=True)
+            to.write_text(SOURCE_PAGE.format(title=html.escape(str(path)), body=body))
+        return name
+
+    def _lines(self, path):
+        lines = path.read_text(errors="replace").rstrip("\n").split("\n")
+        return "<ol>" + "".join(f'<li id="L{number}">{html.escape(line)}</li>'
+                                for number, line in enumerate(lines, 1)) + "</ol>"
+
+    def _files(self, path):
+        entries = []
+        for entry in sorted((self.root / path).iterdir()):
+            if entry.is_file() and not entry.suffix == ".png":
+                self.source(path / entry.name)
+                entries.append(f'<li><a href="{path.name}/{entry.name}.html">'
+                               f"{html.escape(entry.name)}</a></li>")
+        return "<ul>" + "".join(entries) + "</ul>"
+
+    def copy(self, path, name):
+        if name not in self.written:
+            self.written.add(name)
+            (self.out / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, self.out / name)

@@ -1,0 +1,77 @@
+"""The book as a site: pages, formulas, figures and the interfaces of the code, by MkDocs."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from .errors import BookError, MachineError
+from .interfaces import make_interfaces
+from .pages import make_pages
+from .viewer import fetch_viewer
+
+KATEX = Path("/usr/share/javascript/katex")
+KATEX_FILES = ("katex.min.js", "katex.min.css")
+OWN_FILES = ("formulas.js", "walk.js", "walk_scene.js", "book.css")
+
+
+def settings(pages, site, order):
+    """What MkDocs is told. JSON is YAML too."""
+    return {
+        "site_name": "Raysteps",
+        "docs_dir": str(pages),
+        "site_dir": str(site),
+        "use_directory_urls": False,
+        "nav": order,
+        "theme": {"name": "material", "font": False, "language": "en",
+                  "features": ["navigation.sections", "navigation.top"],
+                  "palette": {"primary": "blue grey", "accent": "deep orange"}},
+        "plugins": ["search"],
+        "extra": {"generator": False},
+        "extra_css": ["assets/katex/katex.min.css", "assets/book.css"],
+        "extra_javascript": ["assets/katex/katex.min.js", "assets/formulas.js",
+                             "assets/walk_scene.js", "assets/walk.js"],
+        "markdown_extensions": ["tables", "md_in_html", "attr_list", "pymdownx.superfences",
+                                {"pymdownx.arithmatex": {"generic": True}},
+                                {"pymdownx.highlight": {"anchor_linenums": False}},
+                                {"toc": {"permalink": False}}],
+    }
+
+
+def _copy_assets(root, pages, viewer):
+    assets = pages / "assets"
+    if not (KATEX / KATEX_FILES[0]).exists():
+        raise MachineError(f"{KATEX}: is not there. Install libjs-katex, which sets the formulas.")
+    shutil.copytree(KATEX / "fonts", assets / "katex" / "fonts")
+    for name in KATEX_FILES:
+        shutil.copyfile(KATEX / name, assets / "katex" / name)
+    for name in OWN_FILES:
+        shutil.copyfile(root / "docs" / "book" / "page" / name, assets / name)
+    if viewer:
+        shutil.copyfile(viewer, assets / "vtk.js")
+
+
+def _run_mkdocs(file):
+    """MkDocs is strict: a link into nowhere is an error."""
+    if not shutil.which("mkdocs"):
+        raise MachineError("mkdocs is missing. Install mkdocs-material.")
+    done = subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", str(file)],
+                          capture_output=True, text=True, check=False,
+                          env={**os.environ, "NO_MKDOCS_2_WARNING": "1"})
+    if done.returncode != 0:
+        raise BookError(f"mkdocs: {(done.stdout + done.stderr).strip()[-2000:]}")
+
+
+def make_site(root, store, say):
+    """Builds the book into `store`/site. `store` also keeps what was made and fetched before."""
+    pages, site = store / "pages", store / "site"
+    shutil.rmtree(pages, ignore_errors=True)
+    viewer = fetch_viewer(root, store / "viewer", say)
+    order = make_pages(root, pages, store / "figures", viewer is not None)
+    _copy_assets(root, pages, viewer)
+    make_interfaces(root, pages / "api", say)
+    file = store / "mkdocs.yml"
+    file.write_text(json.dumps(settings(pages, site, order), indent=1))
+    _run_mkdocs(file)
+    return site

@@ -1,0 +1,73 @@
+"""Gets vtk.js, which draws the figures that turn: once, in the version that the lock file pins."""
+
+import base64
+import hashlib
+import io
+import json
+import shutil
+import subprocess
+import tarfile
+import tempfile
+import urllib.request
+from pathlib import Path
+
+LOCK = "docs/book/package-lock.json"
+PACKAGE = "vtk.js"
+BUNDLE = "package/vtk.js"
+SECONDS = 120
+NOT_FOUND = ("book: vtk.js could not be fetched ({reason}), so figures stand still. Run this again "
+             "with a network.")
+
+
+def pinned(root):
+    """The entry of the lock file: version, integrity, resolved."""
+    return json.loads((root / LOCK).read_text())["packages"][f"node_modules/{PACKAGE}"]
+
+
+def is_whole(archive, integrity):
+    """Whether the bytes are those of the lock file: integrity is `sha512-` and the sum."""
+    kind, _, wanted = integrity.partition("-")
+    return base64.b64encode(hashlib.new(kind, archive).digest()).decode() == wanted
+
+
+def _by_npm(entry):
+    """npm knows the mirrors and proxies that a person has set."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(["npm", "pack", "--ignore-scripts", "--pack-destination", folder,
+                        f"{PACKAGE}@{entry['version']}"], cwd=folder, check=True,
+                       capture_output=True, stdin=subprocess.DEVNULL, timeout=SECONDS)
+        return next(Path(folder).glob("*.tgz")).read_bytes()
+
+
+def _by_https(entry):
+    with urllib.request.urlopen(entry["resolved"], timeout=SECONDS) as answer:
+        return answer.read()
+
+
+def _bundle_of(archive):
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        return files.extractfile(BUNDLE).read()
+
+
+def fetch_viewer(root, store, say):
+    """The file of vtk.js in the folder `store`; None where it cannot be had, which is said."""
+    entry = pinned(root)
+    file = store / f"vtk-{entry['version']}.js"
+    if file.exists():
+        return file
+    ways = [_by_npm, _by_https] if shutil.which("npm") else [_by_https]
+    reason = ""
+    for way in ways:
+        try:
+            archive = way(entry)
+        except (OSError, subprocess.SubprocessError, StopIteration) as error:
+            reason = str(error)
+            continue
+        if not is_whole(archive, entry["integrity"]):
+            reason = f"its sum is not that of {LOCK}"
+            continue
+        store.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(_bundle_of(archive))
+        return file
+    say(NOT_FOUND.format(reason=reason))
+    return None

@@ -1,0 +1,81 @@
+"""Every page in a browser: no complaint, formulas set, search, narrow screens."""
+
+import unittest
+
+from browser import SITE, BrowserTest, leave_if_missing
+from support import ROOT
+from book.contents import page_names
+
+PAGES = sorted(name.replace(".md", ".html") for name in page_names(ROOT).values())
+OTHERS = ["source/shaders/geometry/grid_walk.glsl.html", "api/index.html"]
+WIDE = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+# What is wider than the screen and lies in nothing that scrolls by itself: for the message.
+WIDEST = """
+const limit = document.documentElement.clientWidth;
+return [...document.querySelectorAll('.md-content *')].filter(
+  (e) => e.getBoundingClientRect().right > limit + 1).slice(0, 3).map((e) => e.outerHTML.slice(0, 150));
+"""
+
+
+class Browser(BrowserTest):
+    def test_pages_load_without_complaints_and_set_their_formulas(self):
+        for page in PAGES + OTHERS:
+            with self.subTest(page=page):
+                self.open(page)
+                self.assertEqual(self.complaints(), [])
+                self.assertEqual(self.browser.execute_script(
+                    "return [...document.querySelectorAll('.arithmatex')].filter("
+                    "(e) => !e.querySelector('.katex')).length"), 0)
+                broken = self.browser.execute_script(
+                    "return [...document.images].filter((i) => !i.naturalWidth).map((i) => i.src)")
+                self.assertEqual(broken, [])
+
+    def test_formulas_are_there(self):
+        self.open("02_triangles.html")
+        self.assertGreater(len(self.browser.find_elements("css selector", ".katex")), 20)
+        self.assertNotIn("$", self.browser.find_element("css selector", "article p").text)
+
+    def test_nothing_is_asked_of_another_machine(self):
+        self.open("index.html")
+        asked = self.browser.execute_script(
+            "return performance.getEntriesByType('resource').map((entry) => entry.name)")
+        self.assertGreater(len(asked), 5)
+        self.assertEqual([name for name in asked if "//127.0.0.1:" not in name
+                          and not name.startswith(("data:", "blob:"))], [])
+
+    def test_search_finds_a_word(self):
+        self.open("index.html")
+        self.browser.execute_script("document.querySelector('#__search').click()")
+        self.wait_for("return document.querySelector('[data-md-component=search-query]')"
+                      ".getBoundingClientRect().width > 0")
+        self.browser.find_element("css selector", "[data-md-component=search-query]").send_keys(
+            "mailbox")
+        found = self.wait_for("const all = [...document.querySelectorAll('.md-search-result__item')];"
+                              "return all.length > 0 && all.map((item) => item.textContent).join()")
+        self.assertIn("Mailboxes", found)
+        self.keep_picture("search")
+
+    def test_narrow_screens_do_not_scroll_sideways(self):
+        for page in PAGES:
+            with self.subTest(page=page):
+                self.open(page, width=375, height=800)
+                # A window may be wider than asked for; its inside is what counts.
+                self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+                    "width": 375, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+                too_wide = self.browser.execute_script(WIDE)
+                self.assertLessEqual(too_wide, 0, self.browser.execute_script(WIDEST))
+                if page == "04_grid.html":
+                    self.keep_picture("narrow")
+        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def test_answers_open(self):
+        self.open("01_rays.html")
+        self.browser.execute_script("document.querySelector('details summary').click()")
+        self.assertTrue(self.browser.execute_script(
+            "return document.querySelector('details').open "
+            "&& document.querySelector('details p').offsetHeight > 0"))
+
+
+if __name__ == "__main__":
+    leave_if_missing()
+    unittest.main()

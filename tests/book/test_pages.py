@@ -1,0 +1,111 @@
+"""Pages are made from the project's own texts."""
+
+import json
+import unittest
+from pathlib import Path
+
+from support import ROOT, FolderTest
+from book.contents import page_names, parts
+from book.directives import output_file, shown_command
+from book.errors import BookError
+from book.links import Links
+from book.lists import items, section, work
+from book.pages import make_page
+
+PAGE = Path("chapters/04_a/README.md")
+
+
+class Pages(FolderTest):
+    def made(self, text, **settings):
+        self.write(str(PAGE), text)
+        names = {PAGE: "04_a.md", Path("docs/course.md"): "course.md"}
+        links = Links(self.folder, self.folder / "out", names, self.folder / "made", **settings)
+        return make_page(PAGE, links)
+
+    def test_a_link_to_a_page_leads_to_the_page(self):
+        self.write("docs/course.md", "")
+        self.assertEqual(self.made("[c](../../docs/course.md#for-teachers)"),
+                         "[c](course.md#for-teachers)")
+
+    def test_a_link_to_a_source_leads_to_its_lines(self):
+        self.write("common/a.h", "int a;\nint <b>;\n")
+        self.assertEqual(self.made("[a](../../common/a.h)"), "[a](source/common/a.h.html)")
+        self.assertIn('<li id="L2">int &lt;b&gt;;</li>',
+                      (self.folder / "out/source/common/a.h.html").read_text())
+
+    def test_a_link_into_nowhere_is_an_error_with_its_line(self):
+        with self.assertRaisesRegex(BookError, r"README.md:3: \.\./gone.md leads to .*gone.md"):
+            self.made("a\n\n[b](../gone.md)")
+
+    def test_a_picture_that_was_made_again_is_taken(self):
+        self.write("chapters/04_a/expected.png", "old")
+        self.write("made/chapters/04_a/expected.png", "new")
+        self.assertEqual(self.made("![p](expected.png)"),
+                         "![p](pictures/chapters_04_a_expected.png)")
+        self.assertEqual((self.folder / "out/pictures/chapters_04_a_expected.png").read_text(), "new")
+
+    def test_a_function_stands_where_it_is_named(self):
+        self.write("shaders/a.glsl", "int one() {\n    return 1;\n}\n")
+        self.assertEqual(self.made("<!-- code: shaders/a.glsl one -->").split("\n")[2:],
+                         ["```glsl", "int one() {", "    return 1;", "}", "```"])
+
+    def test_a_function_that_is_gone_is_an_error_with_its_line(self):
+        self.write("shaders/a.glsl", "int one() {\n    return 1;\n}\n")
+        with self.assertRaisesRegex(BookError, r"04_a/README.md:2: shaders/a.glsl: .* two"):
+            self.made("text\n<!-- code: shaders/a.glsl two -->")
+
+    def test_what_a_program_printed_stands_where_it_is_named(self):
+        self.write(str(output_file(Path("made"), "04_a --size 8")), "rays 64\n")
+        self.assertIn("```text\nrays 64\n```", self.made("<!-- output: 04_a --size 8 -->"))
+        with self.assertRaisesRegex(BookError, "has not been made"):
+            self.made("<!-- output: 04_a --size 9 -->")
+
+    def test_a_figure_without_a_viewer_says_so(self):
+        self.write("made/walks/w.json", "{}")
+        self.write("made/walks/w.png", "")
+        self.write("made/walks/w.about.json",
+                   json.dumps({"command": "visualizer bunny", "caption": "A <walk>"}))
+        self.assertNotIn("data-viewer", self.made("<!-- walk: w -->"))
+        self.assertIn('data-viewer="none"', self.made("<!-- walk: w -->", has_viewer=False))
+        self.assertIn("A &lt;walk&gt;", self.made("<!-- walk: w -->"))
+
+    def test_directives_in_code_stay(self):
+        self.assertIn("<!-- code: x y -->", self.made("a\n\n    <!-- code: x y -->\n"))
+
+    def test_an_unknown_list_is_an_error(self):
+        with self.assertRaisesRegex(BookError, "no list stars"):
+            self.made("<!-- list: stars -->")
+
+
+class Lists(unittest.TestCase):
+    def test_items_of_a_section_are_joined(self):
+        text = '# A\n\n## Sources\n\n- B, "C d",\n  1987.\n- E.\n\n## Tests\n\n- F\n'
+        self.assertEqual(items(section(text, "Sources")), ['B, "C d", 1987.', "E."])
+
+    def test_a_work_is_known_by_its_title(self):
+        self.assertEqual(work('A. B, "On Trees!", 1990.'), work('A. Bee: "on trees", 1990: the SAH.'))
+
+    def test_a_command_is_shown_as_it_is_typed(self):
+        self.assertEqual(shown_command("04_grid --size 64"), "./run.sh 04 --size 64")
+        self.assertEqual(shown_command("visualizer bunny"), "./run.sh view bunny")
+        self.assertEqual(shown_command("hard_cases --case T1"), "./run.sh hard_cases --case T1")
+
+
+class Contents(unittest.TestCase):
+    def test_every_page_is_there_under_a_name_of_its_own(self):
+        names = page_names(ROOT)
+        self.assertEqual(len(set(names.values())), sum(len(paths) for _, paths in parts(ROOT)))
+        self.assertGreaterEqual(len(names), 20)
+        for path in names:
+            self.assertTrue((ROOT / path).is_file(), path)
+
+    def test_every_chapter_begins_with_a_picture_and_a_question_and_ends_with_what_was_shown(self):
+        for path in page_names(ROOT):
+            if path.parts[0] == "chapters":
+                text = (ROOT / path).read_text()
+                self.assertLess(text.index("!["), text.index("## The question"), path)
+                self.assertIn("## What was shown", text, path)
+
+
+if __name__ == "__main__":
+    unittest.main()

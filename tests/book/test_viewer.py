@@ -1,0 +1,65 @@
+"""vtk.js is fetched once, and used only if it is the one that is pinned."""
+
+import base64
+import hashlib
+import io
+import json
+import tarfile
+import unittest
+from unittest import mock
+
+from support import ROOT, FolderTest
+from book import viewer
+
+
+def archive_of(text):
+    data = io.BytesIO()
+    with tarfile.open(fileobj=data, mode="w:gz") as files:
+        entry = tarfile.TarInfo(viewer.BUNDLE)
+        entry.size = len(text)
+        files.addfile(entry, io.BytesIO(text))
+    return data.getvalue()
+
+
+def sum_of(archive):
+    return "sha512-" + base64.b64encode(hashlib.sha512(archive).digest()).decode()
+
+
+class Viewer(FolderTest):
+    def setUp(self):
+        super().setUp()
+        self.archive = archive_of(b"vtk")
+        self.said = []
+        lock = {"packages": {"node_modules/vtk.js": {
+            "version": "1.2.3", "integrity": sum_of(self.archive), "resolved": "nowhere:"}}}
+        self.write(viewer.LOCK, json.dumps(lock))
+
+    def fetched(self, way):
+        with mock.patch.object(viewer, "_by_npm", way), mock.patch.object(viewer, "_by_https", way):
+            return viewer.fetch_viewer(self.folder, self.folder / "store", self.said.append)
+
+    def test_the_bundle_is_taken_out_and_kept(self):
+        file = self.fetched(lambda entry: self.archive)
+        self.assertEqual(file.read_bytes(), b"vtk")
+        self.assertEqual(self.fetched(None), file)
+        self.assertEqual(self.said, [])
+
+    def test_another_archive_is_refused(self):
+        self.assertIsNone(self.fetched(lambda entry: archive_of(b"other")))
+        self.assertIn("its sum is not that of", self.said[0])
+        self.assertFalse((self.folder / "store").exists())
+
+    def test_without_a_network_one_line_says_so(self):
+        def fail(entry):
+            raise OSError("no network")
+        self.assertIsNone(self.fetched(fail))
+        self.assertEqual(len(self.said), 1)
+        self.assertIn("(no network)", self.said[0])
+
+    def test_the_lock_file_pins_what_the_package_file_asks_for(self):
+        wanted = json.loads((ROOT / "docs/book/package.json").read_text())["dependencies"]
+        self.assertEqual(wanted, {viewer.PACKAGE: viewer.pinned(ROOT)["version"]})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,83 @@
+"""./course view opens the visualizer at the first wrong ray."""
+
+import subprocess
+import unittest
+
+from support import COURSE, ROOT, CourseTest
+from course import check, exercises, view
+from course.compare import Wrong
+
+WRONG = """            real enters = crossing(ray, axis, up ? last : 0);
+            real leaves = crossing(ray, axis, up ? last : 0);
+            part.start = enters > part.start ? enters : part.start;
+            part.end = leaves < part.end ? leaves : part.end;"""
+RAY = exercises.ray_bits([-1, 0.5, 0.5, 1, 0, 0, 0, 4])
+
+
+def result_of(number, checkpoint_name, **found):
+    exercise = exercises.select_one(exercises.load(), number)
+    checkpoint = next(c for c in exercise.checkpoints if c.name == checkpoint_name)
+    return check.Result(exercise, check.FAILED, checkpoint=checkpoint, **found)
+
+
+class Words(unittest.TestCase):
+    def test_a_ray_in_a_scene_is_shown_in_it(self):
+        result = result_of("6.4", "climb", wrong=Wrong(0, 1, RAY, []))
+        self.assertEqual(view.wrong_ray(result),
+                         ["soup:60", "--structure", "bvh_parent", "--leaf-triangles", "2",
+                          "--ray=-1,0.5,0.5,1,0,0,0,4"])
+
+    def test_a_grid_made_of_numbers_is_shown_by_its_file(self):
+        words = view.wrong_ray(result_of("4.2", "first cell", wrong=Wrong(0, 1, RAY, [])))
+        self.assertEqual(words[:5], ["chapters/04_grid/exercises/empty_grid.obj", "--resolution",
+                                     "4", "--structure", "grid"])
+
+    def test_a_wrong_pixel_is_shown_in_its_picture(self):
+        result = result_of("4.3", "picture", pictures={"first_wrong_pixel": [33, 11]})
+        self.assertEqual(view.wrong_ray(result), ["tetrahedron:2", "--structure", "grid", "--size",
+                                                  "64x48", "--pixel=33,11"])
+
+    def test_numbers_that_are_no_ray_are_not_shown(self):
+        self.assertIsNone(view.wrong_ray(result_of("4.3", "axis", wrong=Wrong(0, 1, RAY, []))))
+        self.assertIsNone(view.wrong_ray(result_of("2.1", "components", wrong=Wrong(0, 1, RAY, []))))
+
+    def test_every_file_that_is_to_be_shown_is_there(self):
+        shown = [(e.chapter, c.view[0]) for e in exercises.load() for c in e.checkpoints if c.view]
+        self.assertGreaterEqual(len(shown), 6)
+        for chapter, name in shown:
+            self.assertTrue((ROOT / "chapters" / chapter / "exercises" / name).is_file(), name)
+
+
+class View(CourseTest):
+    def view(self, *arguments):
+        """What it printed; not tested where the visualizer was built without VTK."""
+        done = subprocess.run([*COURSE, "--workbook", self.workbook, "view", *arguments],
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        if done.returncode == 3:
+            self.skipTest(done.stderr)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def test_the_first_wrong_ray_is_drawn(self):
+        self.course("start")
+        self.solve("4.1", WRONG)
+        self.assertIn("view       ./course view 4.1", self.course("check", "4.1", expect=1))
+        picture = self.folder / "wrong.png"
+        printed = self.view("4.1", "--screenshot", str(picture))
+        self.assertIn("empty_grid.obj --resolution 4 --structure grid --ray=-1,0.5,0.5,1,0,0,0,3.4",
+                      printed)
+        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+
+    def test_a_ray_of_ones_own_needs_no_workbook(self):
+        picture = self.folder / "own.png"
+        self.view("5.3", "--ray=0,0,9,0,0,-1", "--screenshot", str(picture))
+        self.assertGreater(picture.stat().st_size, 1000)
+
+    def test_without_a_wrong_ray_it_says_so(self):
+        self.course("start")
+        self.assertIn("There is no wrong ray", self.view("4.1"))
+        self.assertIn("asks about no ray", self.course("view", "1.1", "--ray=0,0,9,0,0,-1", expect=2))
+
+
+if __name__ == "__main__":
+    unittest.main()
