@@ -1,6 +1,7 @@
 #include "scene/frame_scene.h"
 
 #include "error/error.h"
+#include "scene/glowing_lights.h"
 #include "scene/obj_numbers.h"
 #include "scene/view_frame.h"
 
@@ -94,9 +95,19 @@ std::vector<Light> place_lights(const Camera& camera) {
     return {{glm::vec3(bright), {0.84f, 0.80f, 0.74f}}, {glm::vec3(dim), {0.24f, 0.27f, 0.33f}}};
 }
 
+std::vector<Light> find_lights(Scene& scene) {
+    std::vector<Light> lights = glowing_lights(scene);
+    const std::vector<Light> placed = place_lights(scene.camera);
+    if (lights.empty()) {
+        return placed;
+    }
+    lights.push_back(placed.back());
+    return lights;
+}
+
 Scene frame_scene(Scene scene, float aspect_ratio) {
     scene.camera = frame_camera(scene, aspect_ratio);
-    scene.lights = place_lights(scene.camera);
+    scene.lights = find_lights(scene);
     scene.background = calm_background;
     return scene;
 }

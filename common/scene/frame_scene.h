@@ -20,6 +20,10 @@ Camera frame_camera(const Scene& scene, float aspect_ratio);
 // bright one leaves in shadow.
 std::vector<Light> place_lights(const Camera& camera);
 
+// The lights of a model that names none: the parallelograms that glow (glowing_lights) and the dim
+// one of place_lights; where nothing glows, both of those. The scene needs its camera.
+std::vector<Light> find_lights(Scene& scene);
+
 // The scene with a camera, lights and a background, for a model that names none. Throws as
 // frame_camera does.
 Scene frame_scene(Scene scene, float aspect_ratio);

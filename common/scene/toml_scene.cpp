@@ -140,8 +140,11 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
     if (const toml::node* lights = table.get("light")) {
         scene.lights = toml_lights(*lights);
     } else if (!scene.models.empty()) {
-        scene.lights = place_lights(scene.camera);
-        scene.messages.push_back("No light in " + path.string() + ": two were placed.");
+        scene.lights = find_lights(scene);
+        scene.messages.push_back("No light in " + path.string() + ": " +
+                                 (has_area(scene.lights.front())
+                                      ? "what glows in its models is the light."
+                                      : "two were placed."));
     }
     return scene;
 }

@@ -42,6 +42,8 @@ TEST_CASE("help names every option of every program", "[command]") {
                with(tracing, {"--scenes", "--growth", "--rounds", "--most-seconds", "--embree"}));
     check_help("08_accuracy",
                with(common_options, {"--quick", "--full", "--knobs", "--seed", "--rounds"}));
+    check_help("09_effects", with(tracing, {"--effects", "--max-bounces", "--faintest", "--samples",
+                                            "--explain", "--prove", "--scenes", "--rounds"}));
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {
