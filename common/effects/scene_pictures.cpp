@@ -2,7 +2,7 @@
 
 #include "effects/made_pictures.h"
 #include "error/error.h"
-#include "image/write_png.h"
+#include "image/read_picture.h"
 #include "scene/material_effects.h"
 
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 constexpr int no_picture = -1;
 
 Image load_picture(const std::string& name) {
-    return is_made_picture(name) ? made_picture(name) : read_png(name);
+    return is_made_picture(name) ? made_picture(name) : read_picture(name);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
-// The one file that compiles stb's code for pictures; write_png.cpp and read_png.cpp call it.
+// The one file that compiles stb's code for pictures; write_png.cpp and read_picture.cpp call it.
 #define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
 #define STBI_NO_STDIO
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>

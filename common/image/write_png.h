@@ -12,8 +12,4 @@ namespace raysteps {
 // InputError with the path and the reason.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-// The colors of a PNG file as linear RGB; opacity is left out, and 16-bit files become 8-bit ones.
-// Throws InputError where the file is no PNG, is damaged, or is larger than check_image.h allows.
-Image read_png(const std::filesystem::path& path);
-
 } // namespace raysteps

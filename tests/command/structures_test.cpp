@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "image/write_png.h"
+#include "image/read_picture.h"
 #include "programs.h"
 #include "ray_bytes.h"
 
@@ -83,7 +83,7 @@ TEST_CASE("a heat map of what a walk did stands over its legend", "[command][str
         CAPTURE(outcome.errors);
         CHECK(outcome.exit_code == 0);
         const raysteps::Image image =
-            raysteps::read_png(workplace / ("compact_4_kd_restart_" + view + ".png"));
+            raysteps::read_picture(workplace / ("compact_4_kd_restart_" + view + ".png"));
         CHECK(image.width >= 200);
         CHECK(image.height > 220);
     }
@@ -114,7 +114,7 @@ TEST_CASE("the plot of chapter 04 is drawn with its script beside it", "[command
         workplace.run("04_grid", {"--scene", "compact:4", "--size", "32", "--plot", "--out", "."});
     CAPTURE(outcome.errors);
     CHECK(outcome.exit_code == 0);
-    const raysteps::Image image = raysteps::read_png(workplace / "compact_4_resolution.png");
+    const raysteps::Image image = raysteps::read_picture(workplace / "compact_4_resolution.png");
     CHECK(image.width == 960);
     CHECK_THAT(workplace.read("compact_4_resolution.gp"), contains_text("triangles tested"));
 }

@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "error/error.h"
 #include "image/difference.h"
+#include "image/read_picture.h"
 #include "image/write_png.h"
 #include "support/scratch_folder.h"
 #include "visualizer/shown.h"
@@ -75,7 +76,7 @@ void check_picture(const State& state, const std::string& name) {
         std::filesystem::path(RAYSTEPS_BINARY_DIR) / "pictures" / ("view_" + name + ".png");
     write_png(made, image);
     CAPTURE(expected.string(), made.string());
-    const Difference found = difference(image, read_png(expected), 0.125f);
+    const Difference found = difference(image, read_picture(expected), 0.125f);
     CHECK(static_cast<double>(found.different_pixels) <
           most_different * static_cast<double>(found.pixels));
 }

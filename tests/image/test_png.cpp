@@ -1,3 +1,4 @@
+#include "image/read_picture.h"
 #include "image/write_png.h"
 
 #include "random_image.h"
@@ -30,7 +31,7 @@ constexpr std::size_t width_byte = 16; // of the four in a PNG header, the most 
 TEST_CASE("a known PNG file has the colors that were stored", "[image]") {
     const ScratchFolder folder("known_png");
     put_bytes(folder / "two.png", two_pixels);
-    const Image image = read_png(folder / "two.png");
+    const Image image = read_picture(folder / "two.png");
     REQUIRE(image.width == 2);
     REQUIRE(image.height == 1);
     CHECK(image.at(0, 0) == glm::vec3(1.0f, 0.0f, 0.0f));
@@ -44,7 +45,7 @@ TEST_CASE("a written PNG file is sRGB encoded with row 0 on top", "[image]") {
     image.at(0, 1) = {2.0f, -1.0f, 1.0f};
     write_png(folder / "rows.png", image);
     CHECK(bytes_of(folder / "rows.png").substr(0, 8) == two_pixels.substr(0, 8));
-    const Image read = read_png(folder / "rows.png");
+    const Image read = read_picture(folder / "rows.png");
     CHECK(read.at(0, 0) == glm::vec3(decode_srgb(188)));
     CHECK(read.at(0, 1) == glm::vec3(1.0f, 0.0f, 1.0f));
 }
@@ -54,7 +55,7 @@ TEST_CASE("a pixel that has NaN is magenta in a PNG file and is counted", "[imag
     Image image(2, 1);
     image.at(1, 0) = {0.5f, std::numeric_limits<float>::quiet_NaN(), 0.5f};
     write_png(folder / "nan.png", image);
-    const Image read = read_png(folder / "nan.png");
+    const Image read = read_picture(folder / "nan.png");
     CHECK(read.at(0, 0) == glm::vec3(0.0f));
     CHECK(read.at(1, 0) == nan_color);
     CHECK(count_nan_pixels(image) == 1);
@@ -68,7 +69,7 @@ TEST_CASE("colors of 8 bits come back from a PNG file", "[image]") {
                          [](std::uint8_t value) { return decode_srgb(value); });
         const Image image = random_image(step);
         write_png(folder / "image.png", image);
-        const Image read = read_png(folder / "image.png");
+        const Image read = read_picture(folder / "image.png");
         RC_ASSERT(read.width == image.width);
         RC_ASSERT(read.height == image.height);
         RC_ASSERT(read.pixels == image.pixels);
@@ -81,7 +82,7 @@ TEST_CASE("a PNG file that ends too early is an error", "[image]") {
     for (std::size_t length = 0; length < without_end_chunk; length++) {
         CAPTURE(length);
         put_bytes(folder / "short.png", two_pixels.substr(0, length));
-        CHECK(error_of([&] { read_png(folder / "short.png"); }).find("short.png") !=
+        CHECK(error_of([&] { read_picture(folder / "short.png"); }).find("short.png") !=
               std::string::npos);
     }
 }
@@ -92,7 +93,7 @@ TEST_CASE("a damaged PNG file is read or is an error and never worse", "[image]"
         std::string bytes = two_pixels;
         bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::arbitrary<char>();
         put_bytes(folder / "damaged.png", bytes);
-        error_of([&] { read_png(folder / "damaged.png"); });
+        error_of([&] { read_picture(folder / "damaged.png"); });
     }));
 }
 
@@ -101,24 +102,25 @@ TEST_CASE("a PNG file of absurd size is an error that names the size", "[image]"
     std::string bytes = two_pixels;
     bytes[width_byte + 1] = '\x01'; // 65,538 columns
     put_bytes(folder / "absurd.png", bytes);
-    CHECK(error_of([&] { read_png(folder / "absurd.png"); }).find("65538 x 1") !=
+    CHECK(error_of([&] { read_picture(folder / "absurd.png"); }).find("65538 x 1") !=
           std::string::npos);
     bytes[width_byte] = '\x7f';
     put_bytes(folder / "absurd.png", bytes);
-    CHECK(!error_of([&] { read_png(folder / "absurd.png"); }).empty());
+    CHECK(!error_of([&] { read_picture(folder / "absurd.png"); }).empty());
 }
 
 TEST_CASE("a small PNG picture in a large file is refused before it is unpacked", "[image]") {
     const ScratchFolder folder("png_bomb");
     put_bytes(folder / "bomb.png", two_pixels + std::string(1 << 20, '\0'));
-    CHECK(error_of([&] { read_png(folder / "bomb.png"); }).find("too many for its 2 pixels") !=
+    CHECK(error_of([&] { read_picture(folder / "bomb.png"); }).find("too many for its 2 pixels") !=
           std::string::npos);
 }
 
 TEST_CASE("a PNG path that is a folder or lacks is an error", "[image]") {
     const ScratchFolder folder("png_paths");
-    CHECK(error_of([&] { read_png(folder / ""); }).find("folder") != std::string::npos);
-    CHECK(error_of([&] { read_png(folder / "no.png"); }).find("no such file") != std::string::npos);
+    CHECK(error_of([&] { read_picture(folder / ""); }).find("folder") != std::string::npos);
+    CHECK(error_of([&] { read_picture(folder / "no.png"); }).find("no such file") !=
+          std::string::npos);
 }
 
 TEST_CASE("a picture without pixels or with too few is not written", "[image]") {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/color_space.h"
-#include "image/write_png.h"
+#include "image/read_picture.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace raysteps {
 inline std::size_t unexpected_pixels(const Image& image, const std::string& chapter) {
     const auto path =
         std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "chapters" / chapter / "expected.png";
-    const Image expected = read_png(path);
+    const Image expected = read_picture(path);
     if (expected.width != image.width || expected.height != image.height) {
         return image.pixels.size();
     }

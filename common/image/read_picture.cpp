@@ -1,4 +1,4 @@
-#include "image/write_png.h"
+#include "image/read_picture.h"
 
 #include "error/error.h"
 #include "file/read_file.h"
@@ -15,8 +15,8 @@ namespace raysteps {
 
 namespace {
 
-// A PNG file stores at most 8 bytes a pixel, and may carry profiles and texts. More than that is
-// refused, because what it unpacks to is bounded by nothing else.
+// A file stores at most 8 bytes a pixel (a PNG of 16 bits), and may carry profiles and texts. More
+// than that is refused, because what it unpacks to is bounded by nothing else.
 constexpr std::uintmax_t most_bytes_beside_pixels = 1 << 20;
 constexpr std::uintmax_t most_bytes_a_pixel = 8;
 
@@ -25,13 +25,13 @@ struct Free {
 };
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError(path.string() + ": is not a PNG file that can be read (" +
+    throw InputError(path.string() + ": is no picture that can be read, PNG, JPEG or BMP (" +
                      stbi_failure_reason() + "). Save it again as PNG.");
 }
 
 } // namespace
 
-Image read_png(const std::filesystem::path& path) {
+Image read_picture(const std::filesystem::path& path) {
     const std::string bytes =
         read_file(path, most_bytes_a_pixel * most_pixels + most_bytes_beside_pixels);
     const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
