@@ -74,4 +74,6 @@ def make_site(root, store, say):
     file = store / "mkdocs.yml"
     file.write_text(json.dumps(settings(pages, site, order), indent=1))
     _run_mkdocs(file)
+    # Pages that are not of MkDocs' making name no icon, and browsers then ask for this one.
+    shutil.copyfile(site / "assets" / "images" / "favicon.png", site / "favicon.ico")
     return site
