@@ -17,7 +17,7 @@ packages_to_run=(
 packages_to_view=(libvtk9-dev libzip-dev libx11-dev)
 
 # What the book is made with: its pages, its formulas, and the pages of the interfaces.
-packages_to_book=(mkdocs-material python3-pymdownx libjs-katex doxygen ca-certificates)
+packages_to_book=(mkdocs-material python3-pymdownx python3-pygments libjs-katex doxygen ca-certificates)
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
 # its runtime, which fuzzes the loader, and a browser, which reads the book.

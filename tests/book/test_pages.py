@@ -9,7 +9,7 @@ from book.contents import page_names, parts
 from book.directives import output_file, shown_command
 from book.errors import BookError
 from book.links import Links
-from book.lists import items, section, work
+from book.lists import family_name, items, section, work
 from book.pages import make_page
 
 PAGE = Path("chapters/04_a/README.md")
@@ -84,6 +84,10 @@ class Lists(unittest.TestCase):
 
     def test_a_work_is_known_by_its_title(self):
         self.assertEqual(work('A. B, "On Trees!", 1990.'), work('A. Bee: "on trees", 1990: the SAH.'))
+
+    def test_works_are_sorted_by_the_family_name_of_the_first_author(self):
+        self.assertEqual(family_name('I. Wald and V. Havran, "On", 2006'), "wald")
+        self.assertEqual(family_name('Wang and Wen: "Research", 2010'), "wang")
 
     def test_a_command_is_shown_as_it_is_typed(self):
         self.assertEqual(shown_command("04_grid --size 64"), "./run.sh 04 --size 64")
