@@ -1,6 +1,9 @@
 """Pages are made from the project's own texts."""
 
 import json
+import os
+import re
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -8,6 +11,7 @@ from support import ROOT, FolderTest
 from book.contents import page_names, parts
 from book.directives import output_file, shown_command
 from book.errors import BookError
+from book.figures import TABLE
 from book.links import Links
 from book.lists import family_name, items, section, work
 from book.pages import make_page
@@ -102,6 +106,17 @@ class Contents(unittest.TestCase):
         self.assertGreaterEqual(len(names), 20)
         for path in names:
             self.assertTrue((ROOT / path).is_file(), path)
+
+    def test_every_picture_of_a_page_is_made_again_by_a_command(self):
+        table = tomllib.loads((ROOT / TABLE).read_text())
+        made = {entry["file"] for entry in table["picture"]}
+        shown = set()
+        for path in page_names(ROOT):
+            for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", (ROOT / path).read_text()):
+                shown.add(os.path.normpath(path.parent / target))
+        self.assertGreaterEqual(len(shown), 10)
+        self.assertEqual(shown - made, set())
+        self.assertEqual(made - shown, set())
 
     def test_every_chapter_begins_with_a_picture_and_a_question_and_ends_with_what_was_shown(self):
         for path in page_names(ROOT):
