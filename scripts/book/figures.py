@@ -97,13 +97,22 @@ def _tasks(root, made, with_slow):
                 yield f"output of {words}", output_file(made, words), words, _output, words
 
 
+def _commands(made):
+    """By which command each figure was made."""
+    file = made / "commands.json"
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
 def make_figures(root, build, made, say, with_slow=False):
-    """Makes what is older than its program, the shaders or the table."""
-    changed = max(_newest(root), (root / TABLE).stat().st_mtime)
+    """Makes what is older than its program or the shaders, and what another command made."""
+    changed = _newest(root)
+    known = _commands(made)
     for name, file, command, make, entry in _tasks(root, made, with_slow):
         program = program_path(build, program_and_arguments(command)[0])
         newest = max(changed, program.stat().st_mtime if program.exists() else 0)
-        if file.exists() and file.stat().st_mtime > newest:
+        if file.exists() and file.stat().st_mtime > newest and known.get(name) == command:
             continue
         say(f"book: {name}")
         make(build, root, made, entry)
+        known[name] = command
+        (made / "commands.json").write_text(json.dumps(known, indent=1))
