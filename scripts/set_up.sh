@@ -17,16 +17,21 @@ packages_to_run=(
 packages_to_view=(libvtk9-dev libzip-dev libx11-dev)
 
 # What the book is made with: its pages, its formulas, and the pages of the interfaces.
-packages_to_book=(mkdocs-material python3-pymdownx libjs-katex doxygen ca-certificates)
+packages_to_book=(mkdocs-material python3-pymdownx python3-pygments libjs-katex doxygen ca-certificates)
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
-# its runtime, which fuzzes the loader, and a browser, which reads the book.
+# its runtime, which fuzzes the loader.
 packages_to_test=(
   catch2 librapidcheck-dev
   xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema
   clang libclang-rt-dev clang-format
-  chromium chromium-driver python3-selenium
 )
+
+# The browser that reads the book. Ubuntu has none among its packages: there these tests are skipped.
+packages_to_browse=()
+if grep -qs '^ID=debian' /etc/os-release; then
+  packages_to_browse=(chromium chromium-driver python3-selenium)
+fi
 
 is_installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
@@ -44,7 +49,9 @@ set_up() {
   case "$1" in
   view) packages+=("${packages_to_view[@]}") ;;
   book) packages+=("${packages_to_view[@]}" "${packages_to_book[@]}") ;;
-  test) packages+=("${packages_to_view[@]}" "${packages_to_book[@]}" "${packages_to_test[@]}") ;;
+  test)
+    packages+=("${packages_to_view[@]}" "${packages_to_book[@]}" "${packages_to_test[@]}" "${packages_to_browse[@]}")
+    ;;
   esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "set-up: this system has no apt. If the build stops, install what these Debian packages hold:" >&2

@@ -24,6 +24,7 @@ def _parser():
                         help="the build folder that has the programs")
     parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book",
                         help="the folder in which the book is made")
+    parser.add_argument("--all", action="store_true", help="figures that take minutes as well")
     parser.add_argument("--port", type=int, default=8000, help="where to serve it")
     return parser
 
@@ -34,7 +35,7 @@ def main(arguments):
     store, build = options.store.resolve(), options.build.resolve()
     try:
         if options.command == "figures":
-            make_figures(ROOT, build, store / "figures", say)
+            make_figures(ROOT, build, store / "figures", say, with_slow=options.all)
         elif options.command == "site":
             say(f"book: wrote {make_site(ROOT, store, say)}/index.html")
         elif not (store / "site" / "index.html").exists():

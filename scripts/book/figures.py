@@ -13,7 +13,7 @@ from .directives import directives_in, output_file, program_and_arguments
 from .errors import BookError
 
 TABLE = "docs/book/figures.toml"
-SECONDS = 300  # that one program may take
+SECONDS = 1800  # that one program may take
 SHADERS = ("shaders", "common/course_shaders")
 
 
@@ -81,10 +81,12 @@ def _output(build, root, made, command):
     to.write_text(without_folders(printed, root))
 
 
-def _tasks(root, made):
+def _tasks(root, made, with_slow):
     """Each with its name, the file that it makes, its command, and the function that makes it."""
     table = tomllib.loads((root / TABLE).read_text())
     for entry in table.get("picture", []):
+        if entry.get("slow") and not with_slow:
+            continue
         yield entry["file"], made / entry["file"], entry["command"], _picture, entry
     for entry in table.get("walk", []):
         yield (f"walk {entry['name']}", made / "walks" / f"{entry['name']}.about.json",
@@ -95,13 +97,22 @@ def _tasks(root, made):
                 yield f"output of {words}", output_file(made, words), words, _output, words
 
 
-def make_figures(root, build, made, say):
-    """Makes what is older than its program, the shaders or the table."""
-    changed = max(_newest(root), (root / TABLE).stat().st_mtime)
-    for name, file, command, make, entry in _tasks(root, made):
+def _commands(made):
+    """By which command each figure was made."""
+    file = made / "commands.json"
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
+def make_figures(root, build, made, say, with_slow=False):
+    """Makes what is older than its program or the shaders, and what another command made."""
+    changed = _newest(root)
+    known = _commands(made)
+    for name, file, command, make, entry in _tasks(root, made, with_slow):
         program = program_path(build, program_and_arguments(command)[0])
         newest = max(changed, program.stat().st_mtime if program.exists() else 0)
-        if file.exists() and file.stat().st_mtime > newest:
+        if file.exists() and file.stat().st_mtime > newest and known.get(name) == command:
             continue
         say(f"book: {name}")
         make(build, root, made, entry)
+        known[name] = command
+        (made / "commands.json").write_text(json.dumps(known, indent=1))

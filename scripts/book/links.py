@@ -12,7 +12,6 @@ PICTURES = (".png", ".svg", ".jpg")
 SOURCE_PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
 <meta name="viewport" content="width=device-width">
-<link rel="icon" href="data:,">
 <style>
 body {{ font: 15px sans-serif; margin: 1em; }}
 ol {{ font: 13px monospace; white-space: pre; overflow-x: auto; padding-left: 4em; }}

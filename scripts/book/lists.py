@@ -47,6 +47,12 @@ def work(item):
     return re.sub(r"\W+", " ", title.group(1) if title else item).strip().lower()
 
 
+def family_name(item):
+    """Of the first author, by which works are sorted."""
+    first = re.split(r",| and |:", item)[0].split()
+    return (first[-1] if first else "").lower()
+
+
 def sources(links, _page):
     """Every work that a chapter names, once, with the chapters that name it."""
     found = {}
@@ -58,7 +64,7 @@ def sources(links, _page):
             entry["text"] = max(entry["text"], item, key=len)
             entry["pages"][page] = title_of(text)
     lines = []
-    for key in sorted(found, key=lambda key: found[key]["text"].lower()):
+    for key in sorted(found, key=lambda key: (family_name(found[key]["text"]), key)):
         entry = found[key]
         named = ", ".join(f"[{title}]({page})" for page, title in entry["pages"].items())
         lines.append(f"-   {entry['text'].rstrip('.')}. ({named})")

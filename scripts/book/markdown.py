@@ -29,17 +29,19 @@ def is_code(lines):
 
 def widen_lists(lines, code):
     """The text of an item stands under the item's first word; Python-Markdown wants four spaces.
-    And it wants an empty line before a list."""
-    widened, width, before, in_item = [], 0, "", False
+    And it wants an empty line before a list, and after an item of several paragraphs."""
+    widened, width, before, in_item, is_long = [], 0, "", False, False
     for line, is_block in zip(lines, code):
         item = None if is_block else ITEM.match(line)
         if item:
-            if before.strip() and not in_item:
+            if before.strip() and (is_long or not in_item):
                 widened.append("")
+            is_long = False
             width = len(item.group()) - 1
             in_item = True
             widened.append(item.group(1) + item.group(2).ljust(4) + line[width:])
         elif in_item and line.startswith(" " * width):
+            is_long = is_long or not before.strip()
             widened.append("    " + line[width:])
         else:
             in_item = in_item and not line.strip()

@@ -1,7 +1,6 @@
 """The book as a site: pages, formulas, figures and the interfaces of the code, by MkDocs."""
 
 import json
-import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -57,8 +56,7 @@ def _run_mkdocs(file):
     if not shutil.which("mkdocs"):
         raise MachineError("mkdocs is missing. Install mkdocs-material.")
     done = subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", str(file)],
-                          capture_output=True, text=True, check=False,
-                          env={**os.environ, "NO_MKDOCS_2_WARNING": "1"})
+                          capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise BookError(f"mkdocs: {(done.stdout + done.stderr).strip()[-2000:]}")
 
@@ -74,4 +72,6 @@ def make_site(root, store, say):
     file = store / "mkdocs.yml"
     file.write_text(json.dumps(settings(pages, site, order), indent=1))
     _run_mkdocs(file)
+    # Pages that are not of MkDocs' making name no icon, and browsers then ask for this one.
+    shutil.copyfile(site / "assets" / "images" / "favicon.png", site / "favicon.ico")
     return site

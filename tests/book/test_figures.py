@@ -4,6 +4,7 @@ import sys
 import unittest
 
 from selenium.webdriver import ActionChains, Keys
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 
 from browser import NOT_RUN, SITE, BrowserTest, leave_if_missing
 
@@ -95,6 +96,18 @@ class Figures(BrowserTest):
         self.assertGreater(self.count(STEP_COLOR), 200)
         self.assertEqual(self.sentence(), sentence)
         self.keep_picture("figure_turned")
+
+    def test_the_wheel_zooms_only_after_a_click(self):
+        self.open_figure("04_grid.html")
+        before = self.picture()
+        wheel = ScrollOrigin.from_element(self.canvas())
+        ActionChains(self.browser).scroll_from_origin(wheel, 0, 30).perform()
+        self.assertEqual(self.picture(), before)
+        self.canvas().click()
+        ActionChains(self.browser).scroll_from_origin(wheel, 0, 30).perform()
+        self.wait_for("const figure = document.querySelector('figure.walk'); figure.scene.redraw();"
+                      "return figure.querySelector('canvas').toDataURL().split(',')[1]"
+                      " !== arguments[0]", before)
 
     def test_without_webgl_the_picture_stays(self):
         self.browser.execute_cdp_cmd("Page.enable", {})

@@ -14,13 +14,17 @@ def widened(text):
 class Markdown(unittest.TestCase):
     def test_the_text_of_an_item_is_moved_to_four_spaces(self):
         self.assertEqual(widened("- one\n  more\n\n  also\n2. two\n   more"),
-                         ["-   one", "    more", "", "    also", "2.  two", "    more"])
+                         ["-   one", "    more", "", "    also", "", "2.  two", "    more"])
 
     def test_code_in_an_item_stays_code(self):
         self.assertEqual(widened("- one:\n\n      ls\n")[2], "        ls")
 
     def test_a_list_after_a_line_gets_an_empty_line(self):
         self.assertEqual(widened("Take:\n- one"), ["Take:", "", "-   one"])
+
+    def test_an_item_after_one_of_several_paragraphs_gets_an_empty_line(self):
+        self.assertEqual(widened("- one\n\n  more\n- two\n- three"),
+                         ["-   one", "", "    more", "", "-   two", "-   three"])
 
     def test_indented_and_fenced_lines_are_code(self):
         lines = ["a", "", "    - b", "", "```", "- c", "```", "d", "    e"]

@@ -1,6 +1,9 @@
 """Pages are made from the project's own texts."""
 
 import json
+import os
+import re
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -8,8 +11,9 @@ from support import ROOT, FolderTest
 from book.contents import page_names, parts
 from book.directives import output_file, shown_command
 from book.errors import BookError
+from book.figures import TABLE
 from book.links import Links
-from book.lists import items, section, work
+from book.lists import family_name, items, section, work
 from book.pages import make_page
 
 PAGE = Path("chapters/04_a/README.md")
@@ -85,6 +89,10 @@ class Lists(unittest.TestCase):
     def test_a_work_is_known_by_its_title(self):
         self.assertEqual(work('A. B, "On Trees!", 1990.'), work('A. Bee: "on trees", 1990: the SAH.'))
 
+    def test_works_are_sorted_by_the_family_name_of_the_first_author(self):
+        self.assertEqual(family_name('I. Wald and V. Havran, "On", 2006'), "wald")
+        self.assertEqual(family_name('Wang and Wen: "Research", 2010'), "wang")
+
     def test_a_command_is_shown_as_it_is_typed(self):
         self.assertEqual(shown_command("04_grid --size 64"), "./run.sh 04 --size 64")
         self.assertEqual(shown_command("visualizer bunny"), "./run.sh view bunny")
@@ -98,6 +106,17 @@ class Contents(unittest.TestCase):
         self.assertGreaterEqual(len(names), 20)
         for path in names:
             self.assertTrue((ROOT / path).is_file(), path)
+
+    def test_every_picture_of_a_page_is_made_again_by_a_command(self):
+        table = tomllib.loads((ROOT / TABLE).read_text())
+        made = {entry["file"] for entry in table["picture"]}
+        shown = set()
+        for path in page_names(ROOT):
+            for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", (ROOT / path).read_text()):
+                shown.add(os.path.normpath(path.parent / target))
+        self.assertGreaterEqual(len(shown), 10)
+        self.assertEqual(shown - made, set())
+        self.assertEqual(made - shown, set())
 
     def test_every_chapter_begins_with_a_picture_and_a_question_and_ends_with_what_was_shown(self):
         for path in page_names(ROOT):

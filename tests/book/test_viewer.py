@@ -56,6 +56,12 @@ class Viewer(FolderTest):
         self.assertEqual(len(self.said), 1)
         self.assertIn("(no network)", self.said[0])
 
+    def test_without_npm_the_archive_that_the_lock_file_names_is_fetched(self):
+        self.write("vtk.tgz", "")
+        (self.folder / "vtk.tgz").write_bytes(self.archive)
+        entry = {"resolved": (self.folder / "vtk.tgz").as_uri()}
+        self.assertEqual(viewer._by_https(entry), self.archive)
+
     def test_the_lock_file_pins_what_the_package_file_asks_for(self):
         wanted = json.loads((ROOT / "docs/book/package.json").read_text())["dependencies"]
         self.assertEqual(wanted, {viewer.PACKAGE: viewer.pinned(ROOT)["version"]})

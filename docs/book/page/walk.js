@@ -65,8 +65,15 @@ function makeControls(canvas, walk, goTo) {
       move(keys[event.key]());
     }
   }));
+  // The wheel scrolls the page over a figure that nobody has clicked on.
+  canvas.addEventListener("wheel", (event) => {
+    if (document.activeElement !== canvas) {
+      event.stopPropagation();
+    }
+  }, { capture: true });
   const note = make("p", { className: "walk-note", textContent:
-    "Drag to turn, with Shift to move; the wheel zooms. N and P, or the arrow keys, step." });
+    "Drag to turn, with Shift to move. After a click the wheel zooms, and N and P, or the arrow "
+    + "keys, step." });
   return { parts: [bar, sentence, makeLegend(), note], move };
 }
 
