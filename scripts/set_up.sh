@@ -18,6 +18,10 @@ packages_to_view=(libvtk9-dev libzip-dev libx11-dev)
 
 # What the book is made with: its pages, its formulas, and the pages of the interfaces.
 packages_to_book=(mkdocs-material python3-pymdownx python3-pygments libjs-katex doxygen ca-certificates)
+# npm fetches what draws its figures. It may be there already, from elsewhere, and then the package would be in its way.
+if ! command -v npm >/dev/null; then
+  packages_to_book+=(npm)
+fi
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, and clang with
 # its runtime, which fuzzes the loader.

@@ -31,11 +31,11 @@ class Viewer(FolderTest):
         self.archive = archive_of(b"vtk")
         self.said = []
         lock = {"packages": {"node_modules/vtk.js": {
-            "version": "1.2.3", "integrity": sum_of(self.archive), "resolved": "nowhere:"}}}
+            "version": "1.2.3", "integrity": sum_of(self.archive)}}}
         self.write(viewer.LOCK, json.dumps(lock))
 
     def fetched(self, way):
-        with mock.patch.object(viewer, "_by_npm", way), mock.patch.object(viewer, "_by_https", way):
+        with mock.patch.object(viewer, "_by_npm", way):
             return viewer.fetch_viewer(self.folder, self.folder / "store", self.said.append)
 
     def test_the_bundle_is_taken_out_and_kept(self):
@@ -56,11 +56,10 @@ class Viewer(FolderTest):
         self.assertEqual(len(self.said), 1)
         self.assertIn("(no network)", self.said[0])
 
-    def test_without_npm_the_archive_that_the_lock_file_names_is_fetched(self):
-        self.write("vtk.tgz", "")
-        (self.folder / "vtk.tgz").write_bytes(self.archive)
-        entry = {"resolved": (self.folder / "vtk.tgz").as_uri()}
-        self.assertEqual(viewer._by_https(entry), self.archive)
+    def test_without_npm_one_line_says_so(self):
+        with mock.patch.dict("os.environ", PATH=str(self.folder)):
+            self.assertIsNone(viewer.fetch_viewer(self.folder, self.folder / "store", self.said.append))
+        self.assertIn("npm", self.said[0])
 
     def test_the_lock_file_pins_what_the_package_file_asks_for(self):
         wanted = json.loads((ROOT / "docs/book/package.json").read_text())["dependencies"]
