@@ -6,10 +6,18 @@
 #include "visualizer/vtk/paint.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace raysteps::view {
 
 namespace {
+
+// With so few digits that it does not run into the next column.
+std::string narrow_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
 
 void write_row(vtkRenderer& renderer, const Area& table, int row,
                const std::vector<std::string>& words, const Writing& writing) {
@@ -53,9 +61,9 @@ void draw_table(vtkRenderer& renderer, const Layout& layout, const Pane& pane, c
         }
         write_row(renderer, table, row + 1,
                   {std::to_string(number), std::to_string(cell.depth),
-                   std::to_string(cell.triangles), short_number(area_of(cell)),
-                   short_number(cell.cost)},
-                  {.size = 13});
+                   std::to_string(cell.triangles), narrow_number(area_of(cell)),
+                   narrow_number(cell.cost)},
+                  {.size = 12});
     }
 }
 

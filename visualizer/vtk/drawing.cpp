@@ -106,7 +106,7 @@ void Drawing::arrange(const Stage& stage, const State& state) {
 void Drawing::aim(const Stage& stage, const State& state) {
     const Area& area = layout_.panes.front();
     const double aspect = static_cast<double>(area.width) / area.height;
-    const Camera from = state.viewpoint ? *state.viewpoint : frame_stage(stage, state, aspect);
+    const Camera from = state.viewpoint ? *state.viewpoint : frame_stage(stage, aspect);
     vtkCamera& camera = *spaces_.front()->GetActiveCamera();
     camera.SetPosition(from.eye.x, from.eye.y, from.eye.z);
     camera.SetFocalPoint(from.target.x, from.target.y, from.target.z);
