@@ -204,7 +204,9 @@ DrawnPane draw_path(vtkRenderer& renderer, const SpaceInput& input) {
     if (!walk) {
         return drawn;
     }
-    const double radius = 0.0024 * static_cast<double>(size_of(input.stage.bounds()));
+    // Seen from near, a ray must not hide the small boxes that it goes through.
+    const double radius = std::min(0.0024 * static_cast<double>(size_of(input.stage.bounds())),
+                                   0.0008 * input.distance);
     drawn.rays = draw_rays(renderer, input, radius);
     if (walk->steps.empty()) {
         return drawn;
