@@ -162,13 +162,11 @@ std::string levels_text(const Stage& stage, const State& state,
                         const std::vector<DrawnPane>& drawn) {
     const Levels levels = levels_of(*stage.panes().front(), state);
     const long boxes = drawn.front().cells;
-    std::string text = std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) +
-                       " of " + std::to_string(stage.panes().front()->cells.deepest) + ", " +
-                       (boxes == 1 ? "1 box" : std::to_string(boxes) + " boxes");
-    if (drawn.front().left_out > 0) {
-        text += " (" + std::to_string(drawn.front().left_out) + " more not drawn)";
-    }
-    return text;
+    const long all = boxes + drawn.front().left_out;
+    return std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) + " of " +
+           std::to_string(stage.panes().front()->cells.deepest) + ", " +
+           (boxes < all ? std::to_string(boxes) + " of " : "") + std::to_string(all) +
+           (all == 1 ? " box" : " boxes");
 }
 
 } // namespace

@@ -148,16 +148,13 @@ std::string title_of(const SpaceInput& input) {
 void write_title(vtkRenderer& renderer, const Area& area, const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const int top = area.y + area.height;
+    const int width = (area.width - 2 * margin) * 9 / 10; // the numbers are wider than letters
     write(renderer, pane.label, {area.x + margin, top - 28},
-          {.size = size_to_fit(pane.label, area.width - 2 * margin, 18),
-           .font = Font::bold,
-           .ground = paper});
+          {.size = size_to_fit(pane.label, width, 18), .font = Font::bold, .ground = paper});
     const std::string title = title_of(input);
     const bool two_lines = title.find('\n') != std::string::npos;
     write(renderer, title, {area.x + margin, top - (two_lines ? 36 : 50)},
-          {.color = faint_ink,
-           .size = size_to_fit(title, area.width - 2 * margin, 13),
-           .ground = paper});
+          {.color = faint_ink, .size = size_to_fit(title, width, 13), .ground = paper});
 }
 
 } // namespace

@@ -174,7 +174,7 @@ int size_to_fit(const std::string& text, int width, int most) {
         longest = std::max(longest, line.size());
     }
     const auto letters = static_cast<double>(longest);
-    return std::clamp(static_cast<int>(width / (0.55 * letters)), 9, most);
+    return std::clamp(static_cast<int>(width / (0.5 * letters)), 9, most);
 }
 
 void place_renderer(vtkRenderer& renderer, const Area& area, const glm::ivec2& window) {

@@ -54,7 +54,7 @@ void write(vtkRenderer& renderer, const std::string& text, const glm::ivec2& pla
 // A filled part of the window.
 void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color);
 
-// As large as its longest line fits the width in pixels, from 9 to the most; a letter is about 0.55
+// As large as its longest line fits the width in pixels, from 9 to the most; a letter is about half
 // of its size wide.
 int size_to_fit(const std::string& text, int width, int most);
 
