@@ -89,8 +89,11 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
         const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step);
         write(renderer, sentence, {margin, y}, {.size = size_to_fit(sentence, width, 16)});
         y -= line;
-        write(renderer, shader_text(walk, step), {margin, y},
-              {.color = faint_ink, .size = 14, .font = Font::code});
+        const std::string text = shader_text(walk, step);
+        write(renderer, text, {margin, y},
+              {.color = faint_ink,
+               .size = size_to_fit(text, width * 5 / 6, 14), // all its letters are wide
+               .font = Font::code});
         y -= line;
     }
     if (stage.panes().size() > 1) {
