@@ -12,6 +12,7 @@ inline constexpr glm::vec3 paper{0.985f, 0.985f, 0.975f};
 inline constexpr glm::vec3 panel{0.935f, 0.940f, 0.948f};
 inline constexpr glm::vec3 ink{0.12f, 0.14f, 0.18f};
 inline constexpr glm::vec3 faint_ink{0.42f, 0.45f, 0.50f};
+inline constexpr glm::vec3 warning_ink{0.72f, 0.10f, 0.08f};
 inline constexpr glm::vec3 rule_color{0.78f, 0.80f, 0.83f};
 
 inline constexpr glm::vec3 model_color{0.58f, 0.63f, 0.70f};

@@ -3,9 +3,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace raysteps::view {
 
@@ -23,14 +27,28 @@ glm::dvec3 direction_beside(const glm::dvec3& ray, const glm::dvec3& upwards) {
     return glm::normalize(glm::normalize(aside) - 0.35 * along + 0.35 * upwards);
 }
 
-// Where the walk hits; where it does not, the middle of the scene.
-glm::dvec3 end_of_walk(const Stage& stage, const State& state, const glm::dvec3& center) {
-    const RecordedWalk* walk = walk_in(*stage.panes().front(), state);
-    if (!walk || walk->hit.triangle == no_triangle) {
-        return center;
+// The part of a pane's half height and half width that the scene may fill; above it stands a title.
+constexpr double room = 0.94;
+constexpr double room_above = 0.80;
+
+// How far a camera must stand back, and how far aside, along one axis of its picture.
+struct Stand {
+    double back = 0.0;
+    double aside = 0.0;
+};
+
+// Tangents are those of the angles to the lower and the upper end of the picture. A corner at
+// `along` the axis and `before` the middle is seen if along - aside <= (back - before) upper, and
+// aside - along <= (back - before) lower: the greatest bounds are made equal.
+Stand stand_of(std::span<const glm::dvec2> along_and_before, double lower, double upper) {
+    double to_upper = std::numeric_limits<double>::lowest();
+    double to_lower = std::numeric_limits<double>::lowest();
+    for (const glm::dvec2& corner : along_and_before) {
+        to_upper = std::max(to_upper, corner.y + corner.x / upper);
+        to_lower = std::max(to_lower, corner.y - corner.x / lower);
     }
-    return glm::dvec3(walk->ray.origin) +
-           static_cast<double>(walk->hit.t) * glm::dvec3(walk->ray.direction);
+    const double aside = (to_upper - to_lower) / (1.0 / upper + 1.0 / lower);
+    return {to_upper - aside / upper, aside};
 }
 
 } // namespace
@@ -44,33 +62,40 @@ float size_of(const Box& bounds) {
     return largest > 0.0f ? largest : 1.0f;
 }
 
-Camera frame_stage(const Stage& stage, const State& state, double aspect_ratio) {
+Camera frame_stage(const Stage& stage, double aspect_ratio) {
     const glm::dvec3 upwards = glm::normalize(glm::dvec3(stage.camera().up));
     const Box& bounds = stage.bounds();
     const bool nothing = is_empty(bounds);
-    const glm::dvec3 center =
-        nothing ? glm::dvec3(0.0) : 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
-    const double radius =
-        nothing ? 1.0
-                : std::max(0.5 * glm::length(glm::dvec3(bounds.upper) - glm::dvec3(bounds.lower)),
-                           1e-12);
+    const glm::dvec3 lower = nothing ? glm::dvec3(-0.5) : glm::dvec3(bounds.lower);
+    const glm::dvec3 upper = nothing ? glm::dvec3(0.5) : glm::dvec3(bounds.upper);
+    const glm::dvec3 center = 0.5 * (lower + upper);
     glm::dvec3 from =
         glm::normalize(glm::dvec3(stage.camera().eye) - glm::dvec3(stage.camera().target));
-    glm::dvec3 target = center;
-    double seen = radius;
     if (stage.ray() && glm::length(glm::dvec3(stage.ray()->direction)) > 0.0) {
         from = direction_beside(glm::dvec3(stage.ray()->direction), upwards);
-        // What the ray does is small beside the scene: nearer to where it goes in and ends.
-        target = glm::mix(center, end_of_walk(stage, state, center), 0.6);
-        seen = 0.85 * radius;
     }
-    const double half = glm::radians(static_cast<double>(angle)) / 2.0;
-    const double narrow = std::atan(std::tan(half) * std::min(aspect_ratio, 1.0));
-    Camera camera;
-    camera.target = target;
-    camera.eye = target + from * (seen / std::sin(narrow));
     const bool steep = std::abs(glm::dot(from, upwards)) > 0.98;
-    camera.up = glm::vec3(steep ? glm::dvec3(upwards.y, upwards.z, upwards.x) : upwards);
+    const glm::dvec3 up = steep ? glm::dvec3(upwards.y, upwards.z, upwards.x) : upwards;
+    const glm::dvec3 rightwards = glm::normalize(glm::cross(up, from));
+    const glm::dvec3 picture_up = glm::cross(from, rightwards);
+    std::array<glm::dvec2, 8> across;
+    std::array<glm::dvec2, 8> upright;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 corner =
+            glm::dvec3((i & 1u) != 0 ? upper.x : lower.x, (i & 2u) != 0 ? upper.y : lower.y,
+                       (i & 4u) != 0 ? upper.z : lower.z) -
+            center;
+        across[i] = {glm::dot(corner, rightwards), glm::dot(corner, from)};
+        upright[i] = {glm::dot(corner, picture_up), glm::dot(corner, from)};
+    }
+    const double tangent = std::tan(glm::radians(static_cast<double>(angle)) / 2.0);
+    const double wide = room * aspect_ratio * tangent;
+    const Stand sideways = stand_of(across, wide, wide);
+    const Stand vertical = stand_of(upright, room * tangent, room_above * tangent);
+    Camera camera;
+    camera.target = center + sideways.aside * rightwards + vertical.aside * picture_up;
+    camera.eye = glm::dvec3(camera.target) + from * std::max({sideways.back, vertical.back, 1e-12});
+    camera.up = glm::vec3(up);
     camera.vertical_field_of_view = angle;
     return camera;
 }

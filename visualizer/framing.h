@@ -4,8 +4,9 @@
 
 namespace raysteps::view {
 
-// A camera that sees the whole scene and, where there is a ray, sees it from the side.
-Camera frame_stage(const Stage& stage, const State& state, double aspect_ratio);
+// A camera that sees the whole scene, as large as it fits below a title; where there is a ray, from
+// the side.
+Camera frame_stage(const Stage& stage, double aspect_ratio);
 
 // The same camera, moved near to the state's step: its box fills a third of the picture. The one
 // given where there is no step.

@@ -10,7 +10,9 @@ namespace raysteps::view {
 
 namespace {
 
+// A case may have very many rays of very long walks: of those only the first are asked.
 constexpr std::size_t most_tests = 20'000'000;
+constexpr std::size_t most_recorded = 3'000'000; // steps and tests of all walks together
 
 std::string answer_text(int triangle) {
     return triangle == no_triangle ? "no hit" : "triangle " + std::to_string(triangle);
@@ -29,8 +31,10 @@ std::optional<Hit> first_hit_taken(const RecordedWalk& walk) {
 }
 
 std::optional<HardRay> breaks_first_hit(std::span<const Ray> rays, const WalkRecorder& recorder) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    std::size_t recorded = 0;
+    for (std::size_t i = 0; i < rays.size() && recorded < most_recorded; ++i) {
         const RecordedWalk walk = recorder.record(rays[i], Question::nearest);
+        recorded += walk.steps.size() + walk.tests.size();
         const auto taken = first_hit_taken(walk);
         if (taken && taken->triangle != walk.hit.triangle) {
             return HardRay{i,
@@ -48,8 +52,12 @@ std::optional<HardRay> breaks_triangle_test(std::span<const Ray> rays,
     using Mirror = mirror::EveryTriangleMoellerTrumbore<float>;
     auto mirror = mirror::mirror_of<Mirror>(scene);
     const std::size_t triangles = std::max<std::size_t>(scene.corners.size() / 3, 1);
-    for (std::size_t i = 0; i < std::min(rays.size(), most_tests / triangles); ++i) {
-        const int right = recorder.record(rays[i], Question::nearest).hit.triangle;
+    const std::size_t count = std::min(rays.size(), most_tests / triangles);
+    std::size_t recorded = 0;
+    for (std::size_t i = 0; i < count && recorded < most_recorded; ++i) {
+        const RecordedWalk walk = recorder.record(rays[i], Question::nearest);
+        recorded += walk.steps.size() + walk.tests.size();
+        const int right = walk.hit.triangle;
         const int usual = mirror.closest_hit(mirror::to_mirror<Mirror>(rays[i])).triangle;
         if (right != usual) {
             return HardRay{i, "the test by Moeller and Trumbore answers " + answer_text(usual) +

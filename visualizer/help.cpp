@@ -38,7 +38,7 @@ std::string help_text(const State& state) {
            " Tab           next ray             now " +
            std::to_string(state.path_ray) +
            "\n"
-           " click         ray to that point, or of that pixel of a heat map\n"
+           " click         ray to that point, or of that pixel of a heat map \n"
            "\n"
            " CELLS\n"
            " V             which ones           now " +

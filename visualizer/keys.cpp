@@ -25,13 +25,15 @@ int current_step(const State& state, const Stage& stage) {
     return state.step < 0 ? last : std::min(state.step, last);
 }
 
+// Where the walks part at different steps, the same key again jumps to the other one.
 State at_parting(State state, const Stage& stage) {
     const auto parting = parting_of(stage, state);
     if (!parting) {
         return state;
     }
-    return with_step(state, stage,
-                     static_cast<int>(std::max(parting->first_step, parting->second_step)));
+    const auto [earlier, later] = std::minmax(
+        {static_cast<int>(parting->first_step), static_cast<int>(parting->second_step)});
+    return with_step(state, stage, state.step == later ? earlier : later);
 }
 
 State with_next_ray(State state, const Stage& stage) {
@@ -88,6 +90,9 @@ State with_row(State state, const Stage& stage, int more) {
         return state;
     }
     const auto place = std::find(order.begin(), order.end(), state.selected);
+    if (more == 0 && place == order.end()) {
+        return state;
+    }
     const int row = place == order.end() ? state.first_row - (more > 0 ? 1 : 0)
                                          : static_cast<int>(place - order.begin());
     const int next = std::clamp(row + more, 0, static_cast<int>(order.size()) - 1);
@@ -302,6 +307,12 @@ State after_click(const State& state, const Stage& stage, const glm::ivec2& plac
         }
     }
     return state;
+}
+
+State with_selected(const State& state, const Stage& stage, int cell) {
+    State next = state;
+    next.selected = cell;
+    return with_row(std::move(next), stage, 0);
 }
 
 State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point) {

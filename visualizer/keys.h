@@ -18,6 +18,9 @@ State after_click(const State& state, const Stage& stage, const glm::ivec2& plac
 // Whether a drag from there moves a slider, and not the camera.
 bool is_on_panel(const State& state, const Stage& stage, const glm::ivec2& place);
 
+// The state with that cell marked, in space and in the table, which is moved to its row.
+State with_selected(const State& state, const Stage& stage, int cell);
+
 // The state after the camera's ray to a point of the model was asked for.
 State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point);
 

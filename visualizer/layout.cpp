@@ -18,9 +18,9 @@ Area slider_in_side(const Area& side, int y) {
 
 Layout layout_of(const State& state, std::size_t pane_count) {
     const int panes = std::max(static_cast<int>(pane_count), 1);
-    // A sentence, and the line of the shader; a slider above.
-    const int bottom_height =
-        2 * margin + slider_height + 2 * line_height * panes + (panes > 1 ? line_height : 0);
+    // A sentence, and the line of the shader, for each walk; a slider above.
+    const int bottom_height = 2 * margin + slider_height + 2 * line_height * panes +
+                              (panes > 1 ? line_height : 0) + (has_note(state) ? line_height : 0);
     Layout layout;
     const int side = std::min(side_width, state.window.x / 2);
     const int main_width = state.window.x - side;
@@ -48,6 +48,10 @@ Layout layout_of(const State& state, std::size_t pane_count) {
         layout.table = {layout.side.x, low, layout.side.width, rows * row_height};
     }
     return layout;
+}
+
+bool has_note(const State& state) {
+    return !state.hard_case.empty() && !state.pixel && !state.ray;
 }
 
 int table_rows(const Layout& layout) {

@@ -37,6 +37,9 @@ inline constexpr int margin = 14;
 
 Layout layout_of(const State& state, std::size_t pane_count);
 
+// Whether the ray is one of a hard case, which has a line at the bottom that says why.
+bool has_note(const State& state);
+
 // Rows of the table that are seen, the head not counted.
 int table_rows(const Layout& layout);
 

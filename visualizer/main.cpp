@@ -41,6 +41,7 @@ void run(int argc, char** argv) {
     if (request.to_parting) {
         request.state = view::after_key(request.state, stage, "d");
     }
+    request.state = view::with_selected(request.state, stage, request.state.selected);
     if (!request.save_to.empty()) {
         view::save_state(request.save_to, request.state);
         std::cout << "wrote     " << request.save_to.string() << "\n";

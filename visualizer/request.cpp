@@ -363,6 +363,11 @@ Request read_request(int argc, char** argv) {
     take_what_to_see(request.state, words);
     take_how_it_is_drawn(request.state, words);
     take_step(request, words.step);
+    if (request.to_parting && request.state.structures.size() < 2) {
+        throw InputError(
+            "--step parting: one walk alone parts from none. Name two structures, as in "
+            "--structure bvh_ordered,bvh_skip.");
+    }
     return request;
 }
 

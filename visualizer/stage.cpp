@@ -34,7 +34,12 @@ std::string walk_named(const std::string& name) {
             return usual;
         }
     }
-    return name;
+    std::string all;
+    for (const std::string& known : names) {
+        all += (all.empty() ? "" : ", ") + known;
+    }
+    throw InputError("--structure " + name + ": there is no such structure. Take one of " + all +
+                     ".");
 }
 
 StructureName read_name(const std::string& text) {
@@ -210,7 +215,7 @@ std::optional<Ray> Stage::hard_ray(const State& state) {
         chosen = choose_hard_ray(hard_rays_, *buffers_, panes_.front()->recorder);
     }
     const HardCase& hard_case = find_hard_case(state.hard_case);
-    note_ = hard_case.name + ", " + hard_case.title + " Ray " + std::to_string(chosen.number) +
+    note_ = hard_case.name + ", " + hard_case.title + ". Ray " + std::to_string(chosen.number) +
             ": " + chosen.why + ".";
     return hard_rays_[chosen.number];
 }

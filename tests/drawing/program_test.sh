@@ -188,6 +188,11 @@ takes_a_screenshot() {
   xdotool key h F12
   wait_until "a second picture" test -s out/view/mirrors_bvh_ordered_2.png
   ! cmp -s out/view/mirrors_bvh_ordered.png out/view/mirrors_bvh_ordered_2.png || fail "H shows no sheet"
+  # Where it cannot be written, the window says so and stays.
+  mv out not_out
+  : >out
+  xdotool key F12
+  wait_until "a sentence about the picture" grep -q "cannot be written" stderr
   quit
 }
 

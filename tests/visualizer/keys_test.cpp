@@ -3,6 +3,9 @@
 #include "visualizer/cell_choice.h"
 #include "visualizer/help.h"
 #include "visualizer/keys.h"
+#include "visualizer/layout.h"
+
+#include <set>
 
 using namespace raysteps;
 using namespace raysteps::view;
@@ -55,10 +58,37 @@ TEST_CASE("the key D jumps to where two walks part", "[visualizer][keys]") {
     const auto parting = parting_of(stage, state);
     REQUIRE(parting);
     CHECK(after_key(state, stage, "d").step == static_cast<int>(parting->first_step));
+    state.structures = {"grid", "kd_ropes"};
+    stage.show(state);
+    const auto apart = parting_of(stage, state);
+    REQUIRE(apart);
+    REQUIRE(apart->first_step != apart->second_step);
+    const State one = after_key(state, stage, "d");
+    const State other = after_key(one, stage, "d");
+    CHECK(std::set<int>{one.step, other.step} ==
+          std::set<int>{static_cast<int>(apart->first_step), static_cast<int>(apart->second_step)});
+    CHECK(after_key(other, stage, "d").step == one.step);
     state.structures = {"kd_restart", "kd_restart"};
     stage.show(state);
     CHECK(!parting_of(stage, state));
     CHECK(after_key(state, stage, "d").step == state.step);
+}
+
+TEST_CASE("a cell that is marked is seen in the table", "[visualizer][table]") {
+    Stage stage;
+    State state = mirrors_state();
+    state.table = true;
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    const std::vector<int> order = sorted_cells(pane, state);
+    const int rows = table_rows(layout_of(state, 1));
+    for (const std::size_t place : {std::size_t{0}, order.size() / 2, order.size() - 1}) {
+        const State next = with_selected(state, stage, order[place]);
+        CHECK(next.selected == order[place]);
+        CHECK(next.first_row <= static_cast<int>(place));
+        CHECK(static_cast<int>(place) < next.first_row + rows);
+    }
+    CHECK(with_selected(state, stage, no_cell).first_row == state.first_row);
 }
 
 TEST_CASE("keys turn what is drawn", "[visualizer][keys]") {

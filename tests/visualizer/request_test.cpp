@@ -53,7 +53,8 @@ TEST_CASE("options become a state", "[visualizer][request]") {
     CHECK(request.screenshot == "a.png");
     CHECK(request_of({"--structure", "kd", "--walk", "restart"}).state.structures.front() ==
           "kd_restart");
-    CHECK(request_of({"--step", "parting"}).to_parting);
+    CHECK(request_of({"--structure", "grid,kd_ropes", "--step", "parting"}).to_parting);
+    CHECK_THROWS_WITH(request_of({"--step", "parting"}), contains_text("--step parting"));
     CHECK(!request_of({"--help"}).help.empty());
 }
 

@@ -2,9 +2,15 @@
 #include "error/error.h"
 #include "shown.h"
 #include "visualizer/cell_choice.h"
+#include "visualizer/framing.h"
 #include "visualizer/heat.h"
+#include "visualizer/layout.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -152,7 +158,8 @@ TEST_CASE("what a state asks for in vain is named in a sentence", "[visualizer][
         }
         return std::string();
     };
-    CHECK_THAT(sentence_of(mirrors_state("octree")), contains_text("octree"));
+    CHECK_THAT(sentence_of(mirrors_state("octree")),
+               contains_text("octree") && contains_text("kd_ropes"));
     State state = mirrors_state();
     state.scene = "no_such_scene";
     CHECK_THAT(sentence_of(state), contains_text("no_such_scene"));
@@ -171,6 +178,40 @@ TEST_CASE("what a state asks for in vain is named in a sentence", "[visualizer][
     CHECK(stage.panes().size() == 1);
 }
 
+TEST_CASE("a view without a viewpoint holds all of the scene", "[visualizer][framing]") {
+    for (const bool with_ray : {false, true}) {
+        Stage stage;
+        State state = mirrors_state();
+        if (!with_ray) {
+            state.pixel.reset();
+        }
+        stage.show(state);
+        for (const double aspect_ratio : {0.4, 1.0, 2.6}) {
+            CAPTURE(with_ray, aspect_ratio);
+            const Camera camera = frame_stage(stage, aspect_ratio);
+            const glm::dvec3 ahead =
+                glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
+            double most = 0.0;
+            for (int i = 0; i < 8; ++i) {
+                const Box& box = stage.bounds();
+                const glm::dvec3 corner((i & 1) != 0 ? box.upper.x : box.lower.x,
+                                        (i & 2) != 0 ? box.upper.y : box.lower.y,
+                                        (i & 4) != 0 ? box.upper.z : box.lower.z);
+                const glm::dvec3 sight = corner - glm::dvec3(camera.eye);
+                const double depth = glm::dot(sight, ahead);
+                REQUIRE(depth > 0.0);
+                const double tangent = std::tan(glm::radians(15.0));
+                const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(camera.up)));
+                const double x = glm::dot(sight, right) / (depth * tangent * aspect_ratio);
+                const double y = glm::dot(sight, glm::cross(right, ahead)) / (depth * tangent);
+                most = std::max({most, std::abs(x), std::abs(y)});
+            }
+            CHECK(most < 1.0);
+            CHECK(most > 0.7); // and it is as large as it fits
+        }
+    }
+}
+
 TEST_CASE("hard cases come with a ray that breaks a usual method", "[visualizer][hard_case]") {
     for (const auto& [name, structure, method] : {std::tuple{"G1", "grid", "first hit"},
                                                   {"K3", "kd_restart", "first hit"},
@@ -183,6 +224,7 @@ TEST_CASE("hard cases come with a ray that breaks a usual method", "[visualizer]
         stage.show(state);
         REQUIRE(stage.ray());
         CHECK_THAT(stage.note(), contains_text(name) && contains_text(method));
+        CHECK(has_note(state));
         state.hard_ray = 1'000'000'000;
         CHECK_THROWS_WITH(stage.show(state), contains_text("--hard-ray"));
     }

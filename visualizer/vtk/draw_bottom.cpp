@@ -56,7 +56,9 @@ void write_parting(vtkRenderer& renderer, const Stage& stage, const State& state
     if (parting) {
         text = "The walks part at step " + std::to_string(parting->first_step + 1) + " of " +
                stage.panes()[0]->label + " and step " + std::to_string(parting->second_step + 1) +
-               " of " + stage.panes()[1]->label + " (D jumps there).";
+               " of " + stage.panes()[1]->label + " (D jumps " +
+               (parting->first_step == parting->second_step ? "there)."
+                                                            : "to one, and to the other).");
     }
     write(renderer, text, {margin, y}, {.color = faint_ink, .size = 13});
 }
@@ -66,8 +68,11 @@ void write_parting(vtkRenderer& renderer, const Stage& stage, const State& state
 void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage,
                  const State& state) {
     int y = layout.step_slider.y - line - 2;
+    const int width = layout.bottom.width - 2 * margin;
     if (!stage.ray()) {
-        write(renderer, hint_of(), {margin, y}, {.color = faint_ink, .size = 15});
+        const std::string hint = hint_of();
+        write(renderer, hint, {margin, y},
+              {.color = faint_ink, .size = size_to_fit(hint, width, 15)});
         return;
     }
     const RecordedWalk& first = *walk_in(*stage.panes().front(), state);
@@ -82,15 +87,22 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
         }
         const std::size_t step = step_in(walk, state);
         const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step);
-        write(renderer, sentence, {margin, y},
-              {.size = size_to_fit(sentence, layout.bottom.width - 2 * margin, 16)});
+        write(renderer, sentence, {margin, y}, {.size = size_to_fit(sentence, width, 16)});
         y -= line;
-        write(renderer, shader_text(walk, step), {margin, y},
-              {.color = faint_ink, .size = 14, .font = Font::code});
+        const std::string text = shader_text(walk, step);
+        write(renderer, text, {margin, y},
+              {.color = faint_ink,
+               .size = size_to_fit(text, width * 5 / 6, 14), // all its letters are wide
+               .font = Font::code});
         y -= line;
     }
     if (stage.panes().size() > 1) {
         write_parting(renderer, stage, state, y);
+        y -= line;
+    }
+    if (has_note(state)) {
+        write(renderer, stage.note(), {margin, y},
+              {.color = warning_ink, .size = size_to_fit(stage.note(), width, 14)});
     }
 }
 

@@ -95,16 +95,34 @@ void add_color_names(Column& column, const Stage& stage, const State& state) {
     add_fact(column, "shown (Tab: the next)", ray_name(pane.path[shown]));
 }
 
+// Of bytes and seconds, the largest unit that there is one of.
 std::string fact_value(const Fact& fact) {
     if (fact.name.ends_with("bytes")) {
-        return short_number(fact.value / 1048576.0) + " MiB";
+        const int power = fact.value >= 1048576.0 ? 2 : fact.value >= 1024.0 ? 1 : 0;
+        constexpr std::array<std::pair<const char*, double>, 3> units{
+            {{" B", 1.0}, {" KiB", 1024.0}, {" MiB", 1048576.0}}};
+        const auto [unit, bytes] = units[static_cast<std::size_t>(power)];
+        return short_number(fact.value / bytes) + unit;
     }
     if (fact.name.ends_with("seconds")) {
-        return short_number(fact.value) + " s";
+        return fact.value >= 1.0 ? short_number(fact.value) + " s"
+                                 : short_number(1000.0 * fact.value) + " ms";
     }
     return fact.value == static_cast<double>(static_cast<long long>(fact.value))
                ? std::to_string(static_cast<long long>(fact.value))
                : short_number(fact.value);
+}
+
+// The value has the unit.
+std::string fact_name(const Fact& fact) {
+    std::string name = fact.name;
+    for (const std::string unit : {"_bytes", "_seconds"}) {
+        if (name.ends_with(unit)) {
+            name.resize(name.size() - unit.size());
+        }
+    }
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
 }
 
 void add_facts(Column& column, const Stage& stage, int lowest) {
@@ -117,9 +135,7 @@ void add_facts(Column& column, const Stage& stage, int lowest) {
             if (column.y < lowest) {
                 break;
             }
-            std::string name = fact.name;
-            std::replace(name.begin(), name.end(), '_', ' ');
-            add_fact(column, name, fact_value(fact));
+            add_fact(column, fact_name(fact), fact_value(fact));
         }
     }
 }
@@ -145,17 +161,12 @@ void draw_slider(vtkRenderer& renderer, const Area& area, const SliderValues& va
 std::string levels_text(const Stage& stage, const State& state,
                         const std::vector<DrawnPane>& drawn) {
     const Levels levels = levels_of(*stage.panes().front(), state);
-    std::string text = std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) +
-                       " of " + std::to_string(stage.panes().front()->cells.deepest) + ", " +
-                       count_of(static_cast<std::size_t>(drawn.front().cells), "box") +
-                       (drawn.front().cells == 1 ? "" : "");
-    if (drawn.front().cells != 1) {
-        text.replace(text.size() - 4, 4, "boxes");
-    }
-    if (drawn.front().left_out > 0) {
-        text += " (" + std::to_string(drawn.front().left_out) + " more not drawn)";
-    }
-    return text;
+    const long boxes = drawn.front().cells;
+    const long all = boxes + drawn.front().left_out;
+    return std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) + " of " +
+           std::to_string(stage.panes().front()->cells.deepest) + ", " +
+           (boxes < all ? std::to_string(boxes) + " of " : "") + std::to_string(all) +
+           (all == 1 ? " box" : " boxes");
 }
 
 } // namespace

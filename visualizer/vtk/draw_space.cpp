@@ -1,6 +1,7 @@
 #include "visualizer/vtk/draw_space.h"
 
 #include "replay/sentence.h"
+#include "structure/bvh_item.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/colors.h"
 #include "visualizer/vtk/draw_walk.h"
@@ -8,11 +9,15 @@
 
 #include <vtkNew.h>
 
+#include <algorithm>
+
 namespace raysteps::view {
 
 namespace {
 
-constexpr std::size_t most_faces = 3000; // of boxes: more of them only hide each other
+// Of boxes: more of them only hide each other, and each layer is blended by itself.
+constexpr std::size_t most_faces = 3000;
+constexpr double most_layers = 60.0; // as much surface as so many of the largest box
 
 vtkSmartPointer<vtkPlane> clipping_plane(const State& state) {
     if (!state.clip) {
@@ -63,6 +68,17 @@ struct DrawnCells {
     long left_out = 0;
 };
 
+double layers_of(const std::vector<Box>& boxes) {
+    double sum = 0.0;
+    double largest = 0.0;
+    for (const Box& box : boxes) {
+        const double area = surface_area(box);
+        sum += area;
+        largest = std::max(largest, area);
+    }
+    return largest > 0.0 ? sum / largest : 0.0;
+}
+
 DrawnCells draw_cells(vtkRenderer& renderer, const SpaceInput& input, vtkPlane* clip) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const CellChoice choice = choose_cells(pane, input.state);
@@ -94,7 +110,8 @@ DrawnCells draw_cells(vtkRenderer& renderer, const SpaceInput& input, vtkPlane* 
         const Shape filled = rectangles(planes, plane_values);
         add_valued_shape(renderer, filled, {.opacity = input.state.opacity, .clip = clip}, range);
         drawn.planes = static_cast<long>(filled->GetNumberOfCells());
-    } else if (boxes.size() <= most_faces && input.state.opacity > 0.0) {
+    } else if (boxes.size() <= most_faces && input.state.opacity > 0.0 &&
+               layers_of(boxes) <= most_layers) {
         add_valued_shape(renderer, box_faces(boxes, values),
                          {.opacity = input.state.opacity * (few ? 0.6 : 0.25), .clip = clip},
                          range);
@@ -116,24 +133,28 @@ void draw_selected(vtkRenderer& renderer, const SpaceInput& input) {
 std::string title_of(const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const RecordedWalk* walk = walk_in(pane, input.state);
+    const auto all = static_cast<std::size_t>(triangle_count(input.stage.scene()));
+    const auto drawn = static_cast<std::size_t>(input.model->GetNumberOfCells());
+    const std::string some =
+        drawn < all ? std::to_string(drawn) + " of " + count_of(all, "triangle") + " drawn" : "";
     if (!walk) {
-        const auto all = static_cast<std::size_t>(triangle_count(input.stage.scene()));
-        const auto drawn = static_cast<std::size_t>(input.model->GetNumberOfCells());
-        return input.stage.scene().name + ", " + count_of(all, "triangle") +
-               (drawn < all ? ", of which " + std::to_string(drawn) + " are drawn" : "");
+        return input.stage.scene().name + ", " + (some.empty() ? count_of(all, "triangle") : some);
     }
     return count_of(walk->steps.size(), "step") + ", " +
-           count_of(walk->tests.size(), "triangle test") + "\n" + ending_of(*walk);
+           count_of(walk->tests.size(), "triangle test") + (some.empty() ? "" : " (" + some + ")") +
+           "\n" + ending_of(*walk);
 }
 
 void write_title(vtkRenderer& renderer, const Area& area, const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const int top = area.y + area.height;
-    write(renderer, pane.label, {area.x + margin, top - 28}, {.size = 18, .font = Font::bold});
+    const int width = (area.width - 2 * margin) * 9 / 10; // the numbers are wider than letters
+    write(renderer, pane.label, {area.x + margin, top - 28},
+          {.size = size_to_fit(pane.label, width, 18), .font = Font::bold, .ground = paper});
     const std::string title = title_of(input);
     const bool two_lines = title.find('\n') != std::string::npos;
     write(renderer, title, {area.x + margin, top - (two_lines ? 36 : 50)},
-          {.color = faint_ink, .size = 13});
+          {.color = faint_ink, .size = size_to_fit(title, width, 13), .ground = paper});
 }
 
 } // namespace

@@ -10,6 +10,7 @@ struct SpaceInput {
     const State& state;
     std::size_t pane;
     const Shape& model;
+    double distance; // of the eye from what it looks at
 };
 
 // The model, the structure's cells and the rays.

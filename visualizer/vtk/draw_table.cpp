@@ -6,10 +6,18 @@
 #include "visualizer/vtk/paint.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace raysteps::view {
 
 namespace {
+
+// With so few digits that it does not run into the next column.
+std::string narrow_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value > 0.0 && value < 0.001 ? "%.1e" : "%.3g", value);
+    return text;
+}
 
 void write_row(vtkRenderer& renderer, const Area& table, int row,
                const std::vector<std::string>& words, const Writing& writing) {
@@ -35,7 +43,7 @@ void draw_table(vtkRenderer& renderer, const Layout& layout, const Pane& pane, c
     const Area& table = layout.table;
     write(renderer, pane.label + ": " + count_of(pane.cells.cells.size(), "cell"),
           {table.x + margin, table.y + table.height + 12}, {.size = 14, .font = Font::bold});
-    write_row(renderer, table, 0, heads_of(state), {.size = 13, .font = Font::bold});
+    write_row(renderer, table, 0, heads_of(state), {.size = 12, .font = Font::bold});
     const std::vector<int> order = sorted_cells(pane, state);
     for (int row = 0; row < table_rows(layout); ++row) {
         const auto place = static_cast<std::size_t>(std::max(state.first_row, 0) + row);
@@ -53,9 +61,9 @@ void draw_table(vtkRenderer& renderer, const Layout& layout, const Pane& pane, c
         }
         write_row(renderer, table, row + 1,
                   {std::to_string(number), std::to_string(cell.depth),
-                   std::to_string(cell.triangles), short_number(area_of(cell)),
-                   short_number(cell.cost)},
-                  {.size = 13});
+                   std::to_string(cell.triangles), narrow_number(area_of(cell)),
+                   narrow_number(cell.cost)},
+                  {.size = 12});
     }
 }
 

@@ -151,6 +151,9 @@ void add_corners(std::vector<glm::vec3>& corners, const Scene& scene, int triang
                    {scene.corners[first], scene.corners[first + 1], scene.corners[first + 2]});
 }
 
+// Of triangles that were tested: more of them hide each other, and blending them takes long.
+constexpr std::size_t most_blended = 200;
+
 struct DrawnTriangles {
     long tested = 0;
     long hits = 0;
@@ -176,7 +179,8 @@ DrawnTriangles draw_triangles(vtkRenderer& renderer, const SpaceInput& input,
     DrawnTriangles drawn;
     if (!missed.empty()) {
         const Shape shape = triangles(missed);
-        add_shape(renderer, shape, {.color = tested_color, .opacity = 0.75});
+        const bool few = missed.size() <= 3 * most_blended;
+        add_shape(renderer, shape, {.color = tested_color, .opacity = few ? 0.75 : 1.0});
         add_shape(renderer, shape,
                   {.color = 0.55f * tested_color, .width = 1.2f, .wireframe = true});
         drawn.tested = static_cast<long>(shape->GetNumberOfCells());
@@ -200,7 +204,9 @@ DrawnPane draw_path(vtkRenderer& renderer, const SpaceInput& input) {
     if (!walk) {
         return drawn;
     }
-    const double radius = 0.0024 * static_cast<double>(size_of(input.stage.bounds()));
+    // Seen from near, a ray must not hide the small boxes that it goes through.
+    const double radius = std::min(0.0024 * static_cast<double>(size_of(input.stage.bounds())),
+                                   0.0008 * input.distance);
     drawn.rays = draw_rays(renderer, input, radius);
     if (walk->steps.empty()) {
         return drawn;

@@ -9,6 +9,7 @@
 #include "visualizer/vtk/draw_space.h"
 #include "visualizer/vtk/paint.h"
 
+#include <glm/geometric.hpp>
 #include <vtkCamera.h>
 
 namespace raysteps::view {
@@ -103,10 +104,13 @@ void Drawing::arrange(const Stage& stage, const State& state) {
     }
 }
 
-void Drawing::aim(const Stage& stage, const State& state) {
+Camera Drawing::camera_of(const Stage& stage, const State& state) const {
     const Area& area = layout_.panes.front();
     const double aspect = static_cast<double>(area.width) / area.height;
-    const Camera from = state.viewpoint ? *state.viewpoint : frame_stage(stage, state, aspect);
+    return state.viewpoint ? *state.viewpoint : frame_stage(stage, aspect);
+}
+
+void Drawing::aim(const Camera& from) {
     vtkCamera& camera = *spaces_.front()->GetActiveCamera();
     camera.SetPosition(from.eye.x, from.eye.y, from.eye.z);
     camera.SetFocalPoint(from.target.x, from.target.y, from.target.z);
@@ -129,11 +133,14 @@ std::vector<DrawnPane> Drawing::draw(const Stage& stage, const State& state) {
         model_ = triangles(some_triangles(stage.scene().corners));
         model_of_ = stage.scene().corners.data();
     }
+    const Camera from = camera_of(stage, state);
+    const double distance = glm::distance(glm::dvec3(from.eye), glm::dvec3(from.target));
     std::vector<DrawnPane> drawn;
     for (std::size_t i = 0; i < spaces_.size(); ++i) {
-        drawn.push_back(draw_space(*spaces_[i], layout_.panes[i], {stage, state, i, model_}));
+        drawn.push_back(
+            draw_space(*spaces_[i], layout_.panes[i], {stage, state, i, model_, distance}));
     }
-    aim(stage, state);
+    aim(from);
     for (std::size_t i = 0; i < heat_maps_.size(); ++i) {
         draw_heat_map(*heat_maps_[i], layout_.heat_maps[i], stage, state, i);
     }

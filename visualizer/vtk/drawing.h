@@ -39,7 +39,8 @@ public:
 
 private:
     void arrange(const Stage& stage, const State& state);
-    void aim(const Stage& stage, const State& state);
+    Camera camera_of(const Stage& stage, const State& state) const;
+    void aim(const Camera& from);
 
     vtkRenderWindow& window_;
     Layout layout_;

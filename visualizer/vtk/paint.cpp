@@ -2,6 +2,7 @@
 
 #include "image/color_map.h"
 #include "image/color_space.h"
+#include "parse/words.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>
@@ -133,6 +134,10 @@ void write(vtkRenderer& renderer, const std::string& text, const glm::ivec2& pla
     if (text.find('\n') != std::string::npos) {
         property.SetVerticalJustificationToTop();
     }
+    if (writing.ground) {
+        property.SetBackgroundColor(to_vtk(*writing.ground).data());
+        property.SetBackgroundOpacity(0.75);
+    }
     if (writing.boxed) {
         property.SetBackgroundColor(1.0, 1.0, 1.0);
         property.SetBackgroundOpacity(0.96);
@@ -164,8 +169,12 @@ void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color) {
 }
 
 int size_to_fit(const std::string& text, int width, int most) {
-    const double letters = std::max(static_cast<double>(text.size()), 1.0);
-    return std::clamp(static_cast<int>(width / (0.6 * letters)), 11, most);
+    std::size_t longest = 1;
+    for (const std::string& line : split_words(text, '\n')) {
+        longest = std::max(longest, line.size());
+    }
+    const auto letters = static_cast<double>(longest);
+    return std::clamp(static_cast<int>(width / (0.5 * letters)), 9, most);
 }
 
 void place_renderer(vtkRenderer& renderer, const Area& area, const glm::ivec2& window) {

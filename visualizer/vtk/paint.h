@@ -9,6 +9,7 @@
 #include <vtkPlane.h>
 #include <vtkRenderer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,9 @@ struct Writing {
     glm::vec3 color{0.12f, 0.14f, 0.18f};
     int size = 15; // of the letters, in pixels
     Font font = Font::plain;
-    Side side = Side::left; // which side of the text the place is
-    bool boxed = false;     // on a sheet of its own
+    Side side = Side::left;            // which side of the text the place is
+    bool boxed = false;                // on a sheet of its own
+    std::optional<glm::vec3> ground{}; // a colour behind the letters, where lines may cross them
 };
 
 // Text with its lower left corner at that place of the window, in pixels; with several lines, the
@@ -52,8 +54,8 @@ void write(vtkRenderer& renderer, const std::string& text, const glm::ivec2& pla
 // A filled part of the window.
 void fill(vtkRenderer& renderer, const Area& area, const glm::vec3& color);
 
-// As large as the line fits the width in pixels, from 11 to the most; a letter is about 0.6 of its
-// size wide.
+// As large as its longest line fits the width in pixels, from 9 to the most; a letter is about half
+// of its size wide.
 int size_to_fit(const std::string& text, int width, int most);
 
 // Where a renderer draws.

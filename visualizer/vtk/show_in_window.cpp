@@ -159,13 +159,12 @@ private:
         if (key == "q" || key == "e") {
             interactor_->TerminateApp();
         } else if (key == "F12") {
-            const std::filesystem::path path = new_path(".png");
-            write_screenshot(*window_, path);
-            std::cout << "wrote     " << path.string() << "\n" << std::flush;
+            write_new(".png", [this](const std::filesystem::path& path) {
+                write_screenshot(*window_, path);
+            });
         } else if (key == "k") {
-            const std::filesystem::path path = new_path(".json");
-            save_state(path, now());
-            std::cout << "wrote     " << path.string() << "\n" << std::flush;
+            write_new(".json",
+                      [this](const std::filesystem::path& path) { save_state(path, now()); });
         } else if (key == "r") {
             State next = state_;
             next.viewpoint.reset();
@@ -184,9 +183,7 @@ private:
     void click(const glm::ivec2& place, bool shift) {
         const State state = now();
         if (shift) {
-            State next = state;
-            next.selected = cell_under(state, stage_, *state.viewpoint, place);
-            show(next);
+            show(with_selected(state, stage_, cell_under(state, stage_, *state.viewpoint, place)));
             return;
         }
         const auto point = point_under(state, stage_, *state.viewpoint, place);
@@ -233,6 +230,18 @@ private:
             State next = now();
             next.window = {size[0], size[1]};
             show(next);
+        }
+    }
+
+    // What cannot be written is said, and the window stays.
+    void write_new(const std::string& ending,
+                   const std::function<void(const std::filesystem::path&)>& write_file) const {
+        const std::filesystem::path path = new_path(ending);
+        try {
+            write_file(path);
+            std::cout << "wrote     " << path.string() << "\n" << std::flush;
+        } catch (const Error& error) {
+            std::cerr << "visualizer: " << error.what() << "\n";
         }
     }
 
