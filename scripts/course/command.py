@@ -184,8 +184,8 @@ def reset(options):
     if options.json:
         _print_json({"reset": exercise.number, "kept": str(kept) if kept else None})
     else:
-        print(f"{exercise.number} is a stub again" +
-              (f"; the file as it was is {os.path.relpath(kept)}" if kept else ""))
+        print(f"{exercise.number} is a stub again; the file as it was is {os.path.relpath(kept)}"
+              if kept else f"{exercise.number} is a stub.")
     return DONE
 
 

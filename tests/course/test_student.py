@@ -106,6 +106,17 @@ class Student(CourseTest):
         self.assertIn("low = 1;", path.read_text())
         self.assertNotIn("up ? last : 0", path.read_text())
 
+    def test_reset_never_writes_over_what_it_kept_before(self):
+        self.solve("4.1", WRONG)
+        path = self.solve("4.2", "    low = 1;")
+        self.course("reset", "4.1")
+        self.course("reset", "4.2")
+        self.assertIn("4.2 is a stub.", self.course("reset", "4.2"))
+        kept = sorted(file.name for file in path.parent.glob("*.before_reset*"))
+        self.assertEqual(kept, ["grid_crossing.glsl.before_reset", "grid_crossing.glsl.before_reset_2"])
+        self.assertIn("up ? last : 0", path.with_name(kept[0]).read_text())
+        self.assertIn("low = 1;", path.with_name(kept[1]).read_text())
+
     def test_the_solution_is_shown_after_it_passes_or_when_one_gives_up(self):
         self.assertIn("is not started", self.course("diff", "2.1", expect=2))
         self.assertIn("+    precise real x", self.course("diff", "2.1", "--give-up"))
