@@ -8,6 +8,7 @@ from .exercises import from_bits, ray_text
 from .view import wrong_ray
 
 RAY = {"origin": (0, 1, 2), "direction": (3, 4, 5), "t_min": (6,), "t_max": (7,)}
+MOST_BOXES = 4  # more are not printed
 
 # The rays of a picture come as two texels each (shaders/layout/ray_texels.glsl).
 TEXELS = {1: ("origin x", "origin y", "origin z", "t_min"),
@@ -65,13 +66,22 @@ def _line(name, text):
     return f"  {name:<11} {text}"
 
 
+def _box_lines(wrong, question):
+    """The boxes that a builder was given: each, where they are few."""
+    boxes = wrong.asked[:question.get("numbers", {}).get("least", 2) + wrong.step - 1]
+    if len(boxes) > MOST_BOXES:
+        return [_line("boxes", f"the first {len(boxes)} of {len(wrong.asked)} made at random")]
+    corners = [[", ".join(number(from_bits(word)) for word in words)
+                for words in (box[0:3], box[3:6])] for box in boxes]
+    return [_line(f"box {place}", f"from ({lower}) to ({upper})")
+            for place, (lower, upper) in enumerate(corners, 1)]
+
+
 def _asked_lines(wrong, checkpoint):
     """What was asked: a ray, or what its numbers stand for; a pixel; or boxes."""
     question = checkpoint.question
     if question["kind"] == "builder":
-        least = question.get("numbers", {}).get("least", 2)
-        return [_line("boxes", f"the first {wrong.step + least - 1}; the last wrong answer is for "
-                               "these")]
+        return _box_lines(wrong, question)
     if question["kind"] == "rays":
         width, height = question.get("width", 64), question.get("height", 48)
         return [_line("ray", f"of column {wrong.index % width}, row {wrong.index // width} from "

@@ -4,6 +4,7 @@ import unittest
 
 from support import ROOT  # noqa: F401  (it makes the modules of the course known)
 from course import check, exercises, formulas, report, view
+from course.compare import Wrong
 
 
 def result_of(number, **found):
@@ -37,6 +38,26 @@ class Questions(unittest.TestCase):
         table = {"name": "a", "kind": "checkpoint", "given": {"light": [7, 8]}}
         with self.assertRaisesRegex(exercises.CourseError, "0 to 7"):
             exercises._checkpoint(table, "here")
+
+
+class Boxes(unittest.TestCase):
+    def printed(self, number, name, step, boxes):
+        exercise = exercises.select_one(exercises.load(), number)
+        checkpoint = next(c for c in exercise.checkpoints if c.name == name)
+        wrong = Wrong(0, step, boxes[0], [], asked=boxes)
+        return report.as_text(check.Result(exercise, check.FAILED, checkpoint=checkpoint, wrong=wrong))
+
+    def test_few_boxes_are_printed(self):
+        boxes = [exercises.ray_bits([-9, 0, 0, 9, 1, 1]), exercises.ray_bits([-9, 3, 0, 9, 4, 1])]
+        printed = self.printed("6.5", "long boxes side by side", 1, boxes)
+        self.assertIn("  box 1       from (-9, 0, 0) to (9, 1, 1)\n"
+                      "  box 2       from (-9, 3, 0) to (9, 4, 1)\n", printed)
+        self.assertNotIn("box 3", printed)
+
+    def test_of_many_boxes_their_number_is_said(self):
+        boxes = [exercises.ray_bits([0, 0, 0, 1, 1, 1])] * 40
+        self.assertIn("the first 9 of 40 made at random",
+                      self.printed("6.5", "more and more boxes", 8, boxes))
 
 
 class Pictures(unittest.TestCase):
