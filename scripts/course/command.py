@@ -194,8 +194,8 @@ def diff(options):
     workbook.require(options.workbook)
     state = workbook.state_of(options.workbook, exercise)
     if state != check.PASSED and not options.give_up:
-        raise CourseError(f"{exercise.number} is {state}: the solution is shown when its check has "
-                          "passed, or with --give-up. `./course hint` helps too.")
+        raise CourseError(f"{exercise.number}: {state}. The solution is shown when its check has "
+                          f"passed, or with --give-up. `./course hint {exercise.number}` helps too.")
     own = workbook.code_of(options.workbook, exercise) or []
     lines = list(difflib.unified_diff(own, exercise.region.code, "yours", "the solution",
                                       lineterm=""))

@@ -90,6 +90,7 @@ class Student(CourseTest):
         line = path.read_text().split("\n").index("    low = lost;") + 1
         self.assertIn(f"shaders/geometry/grid_crossing.glsl:{line}: error: `lost'",
                       result["message"])
+        self.assertNotIn("checkpoint.frag", result["message"])  # it is not the student's
 
     def test_lost_marks_are_named_and_reset_brings_them_back(self):
         path = self.solve("2.4", "    return true;")
@@ -118,7 +119,7 @@ class Student(CourseTest):
         self.assertIn("low = 1;", path.with_name(kept[1]).read_text())
 
     def test_the_solution_is_shown_after_it_passes_or_when_one_gives_up(self):
-        self.assertIn("is not started", self.course("diff", "2.1", expect=2))
+        self.assertIn("2.1: not started. The solution", self.course("diff", "2.1", expect=2))
         self.assertIn("+    precise real x", self.course("diff", "2.1", "--give-up"))
         self.solve("2.1")
         self.course("check", "2.1")
