@@ -23,6 +23,7 @@ class Result:
     wrong: compare.Wrong = None
     right: list = field(default_factory=list)  # the names of the checkpoints before
     pictures: dict = field(default_factory=dict)
+    no_picture: str = ""  # why there is none
 
 
 def _is_picture(question):
@@ -87,6 +88,8 @@ def _compare_pictures(engine, result, own, folder, store):
     if isinstance(made, engines.Failure):
         if result.state == PASSED:
             _failed(result, made, own)
+        else:
+            result.no_picture = named_as_the_person_knows(made.message, exercise, own)
         return
     question = {"kind": "difference", "subject": "", "picture": str(yours), "reference": str(reference)}
     found = engines.ask(engine, engine.shaders_program(), exercise.chapter, [question])

@@ -8,8 +8,8 @@ import sys
 import time
 from pathlib import Path
 
-from . import check, engine as engines, exercises as catalog, grade, report, submission, verify
-from . import view as viewer, workbook
+from . import check, engine as engines, exercises as catalog, formulas, grade, report, submission
+from . import verify, view as viewer, workbook
 from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError
 
 WORKBOOK = catalog.ROOT / "workbook"
@@ -39,7 +39,7 @@ def start(options):
         _print_json({"made": made})
         return DONE
     for file in made:
-        print(f"made {options.workbook / file}")
+        print(f"made {os.path.relpath(options.workbook / file)}")
     print("Nothing to make: every file is there." if not made else
           "Begin with `./course list`, then `./course show 1.1`.")
     return DONE
@@ -127,7 +127,7 @@ def view(options):
     print(report.as_text(result), flush=True)
     words = viewer.wrong_ray(result)
     if words is None:
-        print("There is no wrong ray in a scene to look at; --ray shows one of your own.")
+        print(viewer.nothing_to_see(exercise))
         fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
         return DONE if result.state in fine else CHECK_FAILED
     print("What you see is the right walk, by the project's own lines.", flush=True)
@@ -158,7 +158,7 @@ def show(options):
         return DONE
     print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
     for formula in exercise.formulas:
-        print(f"  {formula}")
+        print(f"  {formulas.plain(formula)}")
     line = ""
     code = workbook.code_of(options.workbook, exercise)
     if code is not None:
@@ -168,6 +168,7 @@ def show(options):
     print(f"source       {exercise.source}")
     print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
     print(f"check        ./course check {exercise.number}")
+    print(f"hint         ./course hint {exercise.number}")
     return DONE
 
 
@@ -183,8 +184,8 @@ def reset(options):
     if options.json:
         _print_json({"reset": exercise.number, "kept": str(kept) if kept else None})
     else:
-        print(f"{exercise.number} is a stub again" +
-              (f"; the file as it was is {os.path.relpath(kept)}" if kept else ""))
+        print(f"{exercise.number} is a stub again; the file as it was is {os.path.relpath(kept)}"
+              if kept else f"{exercise.number} is a stub.")
     return DONE
 
 
@@ -193,8 +194,8 @@ def diff(options):
     workbook.require(options.workbook)
     state = workbook.state_of(options.workbook, exercise)
     if state != check.PASSED and not options.give_up:
-        raise CourseError(f"{exercise.number} is {state}: the solution is shown when its check has "
-                          "passed, or with --give-up. `./course hint` helps too.")
+        raise CourseError(f"{exercise.number}: {state}. The solution is shown when its check has "
+                          f"passed, or with --give-up. `./course hint {exercise.number}` helps too.")
     own = workbook.code_of(options.workbook, exercise) or []
     lines = list(difflib.unified_diff(own, exercise.region.code, "yours", "the solution",
                                       lineterm=""))

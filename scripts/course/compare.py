@@ -1,7 +1,7 @@
 """Holds answers against those of the reference, and against what is known."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .exercises import bits, from_bits
 
@@ -18,6 +18,7 @@ class Wrong:
     ray: list  # eight numbers as bits
     values: list  # of {name, expected, got, right}
     because: str = ""  # of a known answer
+    asked: list = field(default_factory=list)  # all rays of the checkpoint; for a builder, boxes
 
 
 def _is_right(expected, got, kind, tolerance):
@@ -60,7 +61,8 @@ def first_wrong(answer, reference, checkpoint):
             values = judged(values_of(other, checkpoint.values), values_of(one, checkpoint.values),
                             checkpoint)
             if not all(value["right"] for value in values):
-                return Wrong(index, step, reference.rays[index] if reference.rays else [], values)
+                ray = reference.rays[index] if reference.rays else []
+                return Wrong(index, step, ray, values, asked=reference.rays)
     return None
 
 
@@ -74,5 +76,5 @@ def first_unknown(answer, checkpoint):
         values = judged(expected, got, checkpoint)
         if len(expected) != len(checkpoint.values) or not all(value["right"] for value in values):
             ray = answer.rays[index] if answer.rays else []
-            return Wrong(index, step, ray, values, known["because"])
+            return Wrong(index, step, ray, values, known["because"], answer.rays)
     return None

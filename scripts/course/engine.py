@@ -198,6 +198,9 @@ def build_with(engine, overlay):
         (sources / path).parent.mkdir(parents=True, exist_ok=True)
         if not (sources / path).exists() or (sources / path).read_bytes() != (overlay / path).read_bytes():
             shutil.copyfile(overlay / path, sources / path)
+    if not (folder / "CMakeCache.txt").exists():
+        print("course: building the project's C++ with yours, which takes minutes the first time",
+              file=sys.stderr)
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
     for command in (["cmake", "-S", ROOT, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release",
                      "-DRAYSTEPS_TESTS=OFF", "-DRAYSTEPS_WINDOW=OFF", f"-DRAYSTEPS_WORKBOOK={sources}"],

@@ -32,6 +32,8 @@ class Checkpoint:
     tolerance: float
     known: list  # of {ray, step, expected, because}
     view: list = field(default_factory=list)  # of a scene that is no sample: its file, and options
+    given: dict = field(default_factory=dict)  # names for the eight numbers, where they are no ray
+    where: str = ""  # what else the question says
 
 
 @dataclass
@@ -89,8 +91,11 @@ def _checkpoint(table, place):
         if len(value) != 2 or value[1] not in ("float", "int", "bool"):
             raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, int "
                               "or bool. Write it so.")
-    return Checkpoint(table["name"], question, values,
-                      table.get("tolerance", USUAL_TOLERANCE), known, table.get("view", []))
+    given = table.get("given", {})
+    if any(number not in range(8) for numbers in given.values() for number in numbers):
+        raise CourseError(f"{place}: `given` names numbers of a ray, which are 0 to 7. Write it so.")
+    return Checkpoint(table["name"], question, values, table.get("tolerance", USUAL_TOLERANCE), known,
+                      table.get("view", []), given, table.get("where", ""))
 
 
 def _exercise(table, chapter, place):

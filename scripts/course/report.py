@@ -7,7 +7,12 @@ from .check import FAILED, MISSING, NOT_STARTED, PASSED
 from .exercises import from_bits, ray_text
 from .view import wrong_ray
 
-NAMES = ("origin", "direction", "t_min", "t_max")
+RAY = {"origin": (0, 1, 2), "direction": (3, 4, 5), "t_min": (6,), "t_max": (7,)}
+MOST_BOXES = 4  # more are not printed
+
+# The rays of a picture come as two texels each (shaders/layout/ray_texels.glsl).
+TEXELS = {1: ("origin x", "origin y", "origin z", "t_min"),
+          2: ("direction x", "direction y", "direction z", "t_max")}
 
 
 def number(value):
@@ -52,39 +57,72 @@ def as_json(result):
         found["replay"] = replay(result)
     if result.pictures:
         found["pictures"] = result.pictures
+    if result.no_picture:
+        found["no_picture"] = result.no_picture
     return found
 
 
-def _ray_lines(wrong, question):
+def _line(name, text):
+    return f"  {name:<11} {text}"
+
+
+def _box_lines(wrong, question):
+    """The boxes that a builder was given: each, where they are few."""
+    boxes = wrong.asked[:question.get("numbers", {}).get("least", 2) + wrong.step - 1]
+    if len(boxes) > MOST_BOXES:
+        return [_line("boxes", f"the first {len(boxes)} of {len(wrong.asked)} made at random")]
+    corners = [[", ".join(number(from_bits(word)) for word in words)
+                for words in (box[0:3], box[3:6])] for box in boxes]
+    return [_line(f"box {place}", f"from ({lower}) to ({upper})")
+            for place, (lower, upper) in enumerate(corners, 1)]
+
+
+def _asked_lines(wrong, checkpoint):
+    """What was asked: a ray, or what its numbers stand for; a pixel; or boxes."""
+    question = checkpoint.question
     if question["kind"] == "builder":
-        least = question.get("numbers", {}).get("least", 2)
-        return [f"  boxes      the first {wrong.step + least - 1}; the last wrong answer is for these"]
+        return _box_lines(wrong, question)
     if question["kind"] == "rays":
-        width = question.get("width", 64)
-        return [f"  pixel      column {wrong.index % width}, row {wrong.index // width} from below"]
-    words = wrong.ray
-    groups = (words[0:3], words[3:6], words[6:7], words[7:8])
-    lines = []
-    for name, group in zip(NAMES, groups):
-        decimal = ", ".join(number(from_bits(word)) for word in group)
-        bits = " ".join(f"{word:08x}" for word in group)
-        lines.append(f"  {name:<10} {decimal}   (hex {bits})")
+        width, height = question.get("width", 64), question.get("height", 48)
+        return [_line("ray", f"of column {wrong.index % width}, row {wrong.index // width} from "
+                             f"below, in a picture of {width} x {height} pixels of {question['scene']}")]
+    lines = [_line("step", wrong.step)] if question.get("steps", 1) > 1 else []
+    for name, places in (checkpoint.given or RAY).items():
+        words = [wrong.ray[place] for place in places]
+        decimal = ", ".join(number(from_bits(word)) for word in words)
+        bits = " ".join(f"{word:08x}" for word in words)
+        lines.append(_line(name, f"{decimal}   (hex {bits})"))
     return lines
 
 
 def _wrong_lines(result):
-    wrong, question = result.wrong, result.checkpoint.question
-    lines = [f"  checkpoint {result.checkpoint.name}: the first one that is wrong"]
-    if question.get("steps", 1) > 1:
-        lines.append(f"  step       {wrong.step}")
-    lines += _ray_lines(wrong, question)
-    for value in wrong.values:
-        mark = " " if value["right"] else "  <-- wrong"
-        lines.append(f"  {value['name']:<10} expected {number(value['expected'])}, "
-                     f"got {number(value['got'])}{mark.rstrip()}")
+    wrong, checkpoint = result.wrong, result.checkpoint
+    lines = [_line("checkpoint", f"{checkpoint.name}: the first one that is wrong")]
+    lines += _asked_lines(wrong, checkpoint)
+    if checkpoint.where:
+        lines.append(_line("where", checkpoint.where))
+    names = [value["name"] for value in wrong.values]
+    if checkpoint.question["kind"] == "rays":
+        names = TEXELS[wrong.step]
+    for name, value in zip(names, wrong.values):
+        mark = "" if value["right"] else "  <-- wrong"
+        lines.append(_line(name, f"expected {number(value['expected'])}, "
+                                 f"got {number(value['got'])}{mark}"))
     if wrong.because:
-        lines.append(f"  known      {wrong.because}")
+        lines.append(_line("known", wrong.because))
     return lines
+
+
+def _picture_lines(pictures):
+    yours, reference, compared = (os.path.relpath(pictures[name])
+                                  for name in ("yours", "reference", "compared"))
+    if "first_wrong_pixel" not in pictures:
+        return [_line("picture", f"{yours} is right in every pixel")]
+    column, row = pictures["first_wrong_pixel"]
+    return [_line("pictures", yours), _line("", reference),
+            _line("", f"{compared} (both, and their difference)"),
+            _line("pixel", f"column {column}, row {row} from above is the first of "
+                           f"{pictures['wrong_pixels']} that are wrong in the picture")]
 
 
 def as_text(result):
@@ -98,23 +136,17 @@ def as_text(result):
     if result.message:
         lines += ["  " + line for line in result.message.splitlines()]
     if result.right and result.state != PASSED:
-        lines.append(f"  right      {', '.join(result.right)}")
+        lines.append(_line("right", ", ".join(result.right)))
     if result.wrong:
         lines += _wrong_lines(result)
-    pictures = result.pictures
-    if pictures and result.state != PASSED:
-        yours, reference, compared = (os.path.relpath(pictures[name])
-                                      for name in ("yours", "reference", "compared"))
-        lines += [f"  pictures   {yours}", f"             {reference}",
-                  f"             {compared} (both, and their difference)"]
-        if "first_wrong_pixel" in pictures:
-            column, row = pictures["first_wrong_pixel"]
-            lines.append(f"  pixel      column {column}, row {row} from above is the first of "
-                         f"{pictures['wrong_pixels']} that are wrong")
+    if result.pictures and result.state != PASSED:
+        lines += _picture_lines(result.pictures)
+    if result.no_picture:
+        lines.append(_line("picture", f"none: {result.no_picture.splitlines()[0]}"))
     if replay(result):
-        lines.append(f"  replay     {replay(result)}")
+        lines.append(_line("replay", replay(result)))
     if wrong_ray(result):
-        lines.append(f"  view       ./course view {exercise.number}")
+        lines.append(_line("view", f"./course view {exercise.number}"))
     return "\n".join(lines)
 
 

@@ -9,7 +9,7 @@ from .errors import CourseError, MachineError
 from .exercises import ROOT, ray_text
 
 
-def _words(checkpoint, chapter):
+def words_of(checkpoint, chapter):
     """What the visualizer is told of a checkpoint's scene and structure; None where its rays go
     through none, and are other numbers."""
     question = checkpoint.question
@@ -27,31 +27,42 @@ def _words(checkpoint, chapter):
 
 
 def wrong_ray(result):
-    """The visualizer's words for what a check found: the first wrong ray, or the first wrong pixel
-    of the picture; None where there is neither."""
-    checkpoint = result.checkpoint
-    if checkpoint is None:
-        return None
-    words = _words(checkpoint, result.exercise.chapter)
-    if words is None:
-        return None
-    if checkpoint.question["kind"] == "checkpoint" and result.wrong:
-        return [*words, f"--ray={ray_text(result.wrong.ray)}"]
+    """The visualizer's words for what a check found: the first wrong ray of a scene, else the first
+    wrong pixel of the picture; None where there is neither."""
+    exercise, checkpoint = result.exercise, result.checkpoint
+    if result.wrong and checkpoint.question["kind"] == "checkpoint":
+        words = words_of(checkpoint, exercise.chapter)
+        if words is not None:
+            return [*words, f"--ray={ray_text(result.wrong.ray)}"]
     pixel = result.pictures.get("first_wrong_pixel")
-    if checkpoint.question["kind"] == "picture" and pixel:
-        width, height = (checkpoint.question.get(*side) for side in (("width", 64), ("height", 48)))
-        return [*words, "--size", f"{width}x{height}", f"--pixel={pixel[0]},{pixel[1]}"]
-    return None
+    if not pixel:
+        return None
+    picture = next(c for c in exercise.checkpoints if c.question["kind"] == "picture")
+    width, height = (picture.question.get(*side) for side in (("width", 64), ("height", 48)))
+    return [*words_of(picture, exercise.chapter), "--size", f"{width}x{height}",
+            f"--pixel={pixel[0]},{pixel[1]}"]
+
+
+def _checkpoint_of_rays(exercise):
+    """The first one whose rays go through a scene; None where none do."""
+    return next((checkpoint for checkpoint in exercise.checkpoints
+                 if checkpoint.question["kind"] == "checkpoint"
+                 and words_of(checkpoint, exercise.chapter) is not None), None)
+
+
+def nothing_to_see(exercise):
+    """What is said where nothing is wrong that could be shown."""
+    own = " --ray shows one of your own." if _checkpoint_of_rays(exercise) else ""
+    return f"There is no wrong ray or pixel to look at.{own}"
 
 
 def given_ray(exercise, ray):
     """The visualizer's words for a ray of one's own, in the first checkpoint that has a scene."""
-    for checkpoint in exercise.checkpoints:
-        words = _words(checkpoint, exercise.chapter)
-        if words is not None and checkpoint.question["kind"] == "checkpoint":
-            return [*words, f"--ray={ray_text(ray)}"]
-    raise CourseError(f"{exercise.number} asks about no ray in a scene, so there is nothing to be "
-                      f"seen. `./course check {exercise.number}` says which numbers are wrong.")
+    checkpoint = _checkpoint_of_rays(exercise)
+    if checkpoint is None:
+        raise CourseError(f"{exercise.number} asks about no ray in a scene, so there is nothing to "
+                          f"be seen. `./course check {exercise.number}` says which numbers are wrong.")
+    return [*words_of(checkpoint, exercise.chapter), f"--ray={ray_text(ray)}"]
 
 
 def open_visualizer(engine, words, screenshot):

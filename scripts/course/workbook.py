@@ -76,24 +76,37 @@ def state_of(folder, exercise):
     return str(known.get("state")) if is_current else "not checked"
 
 
+def _free_name(path):
+    """Beside the file: FILE.before_reset, FILE.before_reset_2 ...; what was kept before stays."""
+    number, kept = 1, path.with_name(path.name + ".before_reset")
+    while kept.exists():
+        number += 1
+        kept = path.with_name(f"{path.name}.before_reset_{number}")
+    return kept
+
+
 def reset(folder, exercise):
-    """Puts the stub back. The file as it was is kept beside it, as FILE.before_reset."""
+    """Puts the stub back. Where that changes the file, it is kept as it was beside it: returns the
+    copy's path."""
     path = folder / exercise.file
     reference = (ROOT / exercise.file).read_text()
-    kept = None
     text = marks.blank(reference, exercise.file)
-    if path.exists():
-        kept = path.with_name(path.name + ".before_reset")
-        shutil.copyfile(path, kept)
-        own = path.read_text(errors="replace")
-        try:
-            others = {number: region.code for number, region in marks.regions(own, path).items()
-                      if number != exercise.number}
-            text = (marks.with_code(own, path, {exercise.number: exercise.region.stub})
-                    if exercise.number in marks.regions(own, path)
-                    else marks.with_code(text, path, others))
-        except CourseError:  # its marks are broken: the whole file starts anew
-            pass
-    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return None
+    own = path.read_text(errors="replace")
+    try:
+        others = {number: region.code for number, region in marks.regions(own, path).items()
+                  if number != exercise.number}
+        text = (marks.with_code(own, path, {exercise.number: exercise.region.stub})
+                if exercise.number in marks.regions(own, path)
+                else marks.with_code(text, path, others))
+    except CourseError:  # its marks are broken: the whole file starts anew
+        pass
+    if text == own:
+        return None
+    kept = _free_name(path)
+    shutil.copyfile(path, kept)
     path.write_text(text)
     return kept

@@ -58,6 +58,20 @@ class Student(CourseTest):
         replayed = self.course(*words[1:], expect=1)
         self.assertIn("expected 1, got 5", replayed)
 
+    def test_numbers_that_are_no_ray_have_their_own_names(self):
+        self.solve("2.1", "    real x = a.x;\n    real y = a.y;\n    real z = a.z;")
+        printed = self.course("check", "2.1", expect=1)
+        self.assertIn("  a           1, 2, 3   (hex 3f800000 40000000 40400000)\n", printed)
+        self.assertIn("  b           4, 5, 6 ", printed)
+        self.assertNotIn("t_max", printed.replace("--ray", ""))
+
+    def test_a_ray_of_a_picture_has_its_pixel_and_its_parts(self):
+        self.solve("1.2", "    Ray ray = primary_ray(view, 0.25, 0.5);")
+        printed = self.course("check", "1.2", expect=1)
+        self.assertIn("column 0, row 0 from below, in a picture of 2 x 2 pixels of cornell_box",
+                      printed)
+        self.assertIn("  direction y expected -0.178571433, got 0  <-- wrong\n", printed)
+
     def test_a_wrong_exercise_does_not_block_the_next(self):
         self.solve("4.1", WRONG)
         self.solve("4.4")
@@ -76,6 +90,7 @@ class Student(CourseTest):
         line = path.read_text().split("\n").index("    low = lost;") + 1
         self.assertIn(f"shaders/geometry/grid_crossing.glsl:{line}: error: `lost'",
                       result["message"])
+        self.assertNotIn("checkpoint.frag", result["message"])  # it is not the student's
 
     def test_lost_marks_are_named_and_reset_brings_them_back(self):
         path = self.solve("2.4", "    return true;")
@@ -92,8 +107,19 @@ class Student(CourseTest):
         self.assertIn("low = 1;", path.read_text())
         self.assertNotIn("up ? last : 0", path.read_text())
 
+    def test_reset_never_writes_over_what_it_kept_before(self):
+        self.solve("4.1", WRONG)
+        path = self.solve("4.2", "    low = 1;")
+        self.course("reset", "4.1")
+        self.course("reset", "4.2")
+        self.assertIn("4.2 is a stub.", self.course("reset", "4.2"))
+        kept = sorted(file.name for file in path.parent.glob("*.before_reset*"))
+        self.assertEqual(kept, ["grid_crossing.glsl.before_reset", "grid_crossing.glsl.before_reset_2"])
+        self.assertIn("up ? last : 0", path.with_name(kept[0]).read_text())
+        self.assertIn("low = 1;", path.with_name(kept[1]).read_text())
+
     def test_the_solution_is_shown_after_it_passes_or_when_one_gives_up(self):
-        self.assertIn("is not started", self.course("diff", "2.1", expect=2))
+        self.assertIn("2.1: not started. The solution", self.course("diff", "2.1", expect=2))
         self.assertIn("+    precise real x", self.course("diff", "2.1", "--give-up"))
         self.solve("2.1")
         self.course("check", "2.1")
@@ -107,6 +133,7 @@ class Student(CourseTest):
         shown = self.course("show", "4.2")
         self.assertIn("grid_crossing.glsl:", shown)
         self.assertIn("Amanatides and Woo", shown)
+        self.assertIn("u = p . s / det,   v = ", self.course("show", "2.2"))
 
     def test_wrong_usage_says_what_to_take(self):
         self.assertIn("9.9 is no chapter and no exercise", self.course("check", "9.9", expect=2))

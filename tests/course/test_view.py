@@ -41,6 +41,12 @@ class Words(unittest.TestCase):
         self.assertIsNone(view.wrong_ray(result_of("4.3", "axis", wrong=Wrong(0, 1, RAY, []))))
         self.assertIsNone(view.wrong_ray(result_of("2.1", "components", wrong=Wrong(0, 1, RAY, []))))
 
+    def test_where_the_numbers_are_no_ray_the_wrong_pixel_is_shown(self):
+        result = result_of("2.1", "components", wrong=Wrong(0, 1, RAY, []),
+                           pictures={"first_wrong_pixel": [33, 11]})
+        self.assertEqual(view.wrong_ray(result), ["tetrahedron:1", "--structure", "every_triangle",
+                                                  "--size", "64x48", "--pixel=33,11"])
+
     def test_every_file_that_is_to_be_shown_is_there(self):
         shown = [(e.chapter, c.view[0]) for e in exercises.load() for c in e.checkpoints if c.view]
         self.assertGreaterEqual(len(shown), 6)
@@ -61,7 +67,7 @@ class View(CourseTest):
     def test_the_first_wrong_ray_is_drawn(self):
         self.course("start")
         self.solve("4.1", WRONG)
-        self.assertIn("view       ./course view 4.1", self.course("check", "4.1", expect=1))
+        self.assertIn("view        ./course view 4.1", self.course("check", "4.1", expect=1))
         picture = self.folder / "wrong.png"
         printed = self.view("4.1", "--screenshot", str(picture))
         self.assertIn("empty_grid.obj --resolution 4 --structure grid --ray=-1,0.5,0.5,1,0,0,0,3.4",
