@@ -12,10 +12,6 @@ function(add_test_folder name)
     RAYSTEPS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     RAYSTEPS_TEST_DIR="${CMAKE_CURRENT_SOURCE_DIR}"
     RAYSTEPS_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  if(RAYSTEPS_SANITIZE)
-    # Tests have much text and little to compute: so they compile in half the time.
-    target_compile_options(test_${name} PRIVATE -O0)
-  endif()
   if(NOT arg_LABEL)
     set(arg_LABEL ${name})
   endif()
