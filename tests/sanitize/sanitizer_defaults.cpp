@@ -3,8 +3,8 @@
 
 extern "C" {
 
-// clang++ 14 takes memory that libraries keep for each thread to be where it is not (glibc 2.36), and
-// LeakSanitizer ends with a fault of its own.
+// clang++ 14 takes memory that libraries keep for each thread to be where it is not (glibc 2.36),
+// and LeakSanitizer ends with a fault of its own.
 const char* __asan_default_options() {
     return "detect_stack_use_after_return=1:intercept_tls_get_addr=0";
 }
