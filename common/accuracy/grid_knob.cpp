@@ -9,6 +9,7 @@
 #include "structure/grid.h"
 #include "structure/reach.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace raysteps {

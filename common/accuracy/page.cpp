@@ -4,6 +4,7 @@
 #include "report/base64.h"
 #include "report/scatter_plot.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace raysteps {

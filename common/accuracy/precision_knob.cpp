@@ -6,6 +6,8 @@
 #include "scene/shapes.h"
 #include "structure/reach.h"
 
+#include <algorithm>
+
 namespace raysteps {
 
 Knob precision_knob(const Effort& effort) {

@@ -3,6 +3,7 @@
 #include "error/error.h"
 #include "gpu/draw.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 

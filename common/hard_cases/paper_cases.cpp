@@ -1,8 +1,11 @@
 #include "hard_cases/case_lists.h"
 #include "hard_cases/closed_meshes.h"
+#include "hard_cases/coincident.h"
 #include "hard_cases/leak_rays.h"
 #include "hard_cases/loose_triangles.h"
 #include "scene/shapes.h"
+
+#include <cmath>
 
 namespace raysteps {
 
@@ -23,6 +26,44 @@ HardScene two_depths(const HardRequest& request) {
         rays.push_back({at(x, y, 2), {0, 0, -1}, 0.0f, no_end});
     }
     return {mesh, rays};
+}
+
+// In the plane of a triangle and beside it: det is 0 without a rounding.
+HardScene parallel_rays(const HardRequest& request) {
+    RandomNumbers numbers(request.seed);
+    std::vector<Ray> rays;
+    for (int i = 0; i < request.rays; ++i) {
+        const float height = i % 2 == 0 ? 0.0f : 0.5f * numbers.in_cube().z;
+        const glm::vec3 way = numbers.in_cube();
+        const glm::vec3 over = 0.5f * numbers.unit() * glm::vec3(1, 1, 0);
+        rays.push_back({glm::vec3(over.x - way.x, over.y - way.y, height),
+                        {way.x, way.y, 0.0f},
+                        0.0f,
+                        no_end});
+    }
+    return {triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), rays};
+}
+
+// The same rays with directions from 2^-20 to 2^20 times as long.
+HardScene directions_of_any_length(const HardRequest& request) {
+    HardScene made = two_depths(request);
+    for (std::size_t i = 0; i < made.rays.size(); ++i) {
+        made.rays[i].direction *= std::ldexp(1.0f, static_cast<int>(i % 41) - 20);
+    }
+    return made;
+}
+
+HardScene edges_of_a_ball(const HardRequest& request) {
+    RandomNumbers numbers(request.seed);
+    const Mesh mesh = sphere(glm::vec3(0.0f), 1.0f, 5);
+    return {mesh, edge_aimed_rays(numbers, mesh, glm::vec3(0.4f), request.rays)};
+}
+
+HardScene three_in_one_place(const HardRequest& request) {
+    RandomNumbers numbers(request.seed);
+    const Mesh mesh = tripled(sphere(glm::vec3(0.0f), 1.0f, 3));
+    return {mesh, rays_at_triangles(numbers, mesh.corners, request.rays),
+            static_cast<std::size_t>(request.rays / 2)};
 }
 
 HardScene inside_a_ball(const HardRequest& request) {
@@ -49,12 +90,24 @@ std::vector<HardCase> paper_cases() {
         {"P3", "one triangle before another: t must come from the cross product, not the corner",
          paper, Truth::exact, Guarantee::promised, aimed, "q in place of the second a", 100000,
          two_depths},
+        {"P5", "a ray parallel to a triangle: det is 0, and u, v and t are divided by it", paper,
+         Truth::all_miss, Guarantee::promised, aimed, "ask for det != 0 before all else", 100000,
+         parallel_rays},
         {"P6", "from inside a closed mesh every ray sees a back face", paper, Truth::all_hit,
          Guarantee::promised, aimed, "no culling, or only for rays from the camera", 1000000,
          inside_a_ball},
         {"P7", "a model a thousandth in size: an absolute 1e-6 lets it vanish", paper,
          Truth::all_hit, Guarantee::promised, aimed, "no epsilon on det", 1000000,
          inside_a_small_ball},
+        {"P8", "directions from 2^-20 to 2^20 long: an epsilon means another thing for each", paper,
+         Truth::exact, Guarantee::promised, aimed, "no epsilon on det; t counts directions", 100000,
+         directions_of_any_length},
+        {"P9", "an edge of two triangles, each of which computes u + v <= 1 by itself", paper,
+         Truth::all_hit, Guarantee::promised, aimed, "--triangle watertight", 1000000,
+         edges_of_a_ball},
+        {"P10", "three triangles in each place: which one is the nearest", paper, Truth::the_loop,
+         Guarantee::promised, Tries::structures, "the smallest t, and of equal ones the first",
+         1000000, three_in_one_place},
     };
 }
 

@@ -40,6 +40,18 @@ SeenSurface any_parallelogram(RandomNumbers& numbers) {
     return {mesh_of({a, b, c, a, c, d}), {eye, inside - eye, 0.0f, no_end}};
 }
 
+SeenSurface any_point_of_a_ball(RandomNumbers& numbers) {
+    static const Mesh ball = sphere(glm::vec3(0.0f), 1.0f, 2);
+    const std::size_t a =
+        3 * static_cast<std::size_t>(numbers.below(static_cast<int>(ball.corners.size() / 3)));
+    const float u = numbers.unit();
+    const float v = (1.0f - u) * numbers.unit();
+    const glm::vec3 point = ball.corners[a] + u * (ball.corners[a + 1] - ball.corners[a]) +
+                            v * (ball.corners[a + 2] - ball.corners[a]);
+    const glm::vec3 eye = 4.0f * point;
+    return {ball, {eye, point - eye, 0.0f, no_end}};
+}
+
 Mesh close_spheres(float gap) {
     return join(sphere(glm::vec3(0.0f), 1.0f, 8), sphere(glm::vec3(0.0f), 1.0f + gap, 8));
 }

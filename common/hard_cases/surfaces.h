@@ -22,6 +22,9 @@ SeenSurface any_triangle(RandomNumbers& numbers, float size, float offset);
 // Two triangles that make a parallelogram, anywhere up to 10 from the origin, in any direction.
 SeenSurface any_parallelogram(RandomNumbers& numbers);
 
+// A ball of 80 triangles around zero, of radius 1, seen from outside at any point.
+SeenSurface any_point_of_a_ball(RandomNumbers& numbers);
+
 // Two spheres around the origin, of the radii 1 and 1 + gap; the first half of the triangles is the
 // inner one.
 Mesh close_spheres(float gap);

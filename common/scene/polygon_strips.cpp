@@ -1,5 +1,6 @@
 #include "scene/polygon_strips.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace raysteps {

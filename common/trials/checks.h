@@ -12,6 +12,7 @@ std::vector<Trial> grid_checks();     // G: the length of a walk
 std::vector<Trial> tree_checks();     // V: builders
 std::vector<Trial> surface_checks();  // S: rays that leave a surface
 std::vector<Trial> effect_checks();   // E: mirrors
+std::vector<Trial> glass_checks();    // E: glass
 std::vector<Trial> file_checks();     // F: the loader
 std::vector<Trial> platform_checks(); // L: what OpenGL does without saying so
 

@@ -1,9 +1,13 @@
 #include "error/error.h"
+#include "hard_cases/coincident.h"
+#include "hard_cases/ray_families.h"
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
 #include "scene/random_numbers.h"
 #include "scene/shapes.h"
 #include "trials/checks.h"
+
+#include <array>
 
 namespace raysteps {
 
@@ -47,6 +51,42 @@ std::vector<TrialRow> cover_behind_a_lamp(const TrialTools& tools) {
             reported_row("any hit, however far", "C++", "lit", dark_by_any_hit, tried)};
 }
 
+// Which of the triangles in one place is the nearest, when they are visited from the first to the
+// last and from the last to the first.
+std::vector<TrialRow> two_orders(const TrialTools& tools) {
+    RandomNumbers numbers(tools.seed);
+    const Mesh mesh = tripled(sphere(glm::vec3(0.0f), 1.0f, 2));
+    const mirror::SceneBuffers buffers(add_mesh(Scene{}, mesh, Material{}));
+    Mirror mirror = mirror::mirror_of<Mirror>(buffers);
+    const int count = mirror.triangle_count;
+    std::size_t parted = 0;
+    std::size_t parted_by_strict_t = 0;
+    const std::vector<Ray> rays = rays_at_triangles(numbers, mesh.corners, 1000);
+    for (const Ray& given : rays) {
+        const auto ray = mirror::to_mirror<Mirror>(given);
+        const auto prepared = mirror.prepare_ray(ray);
+        std::array<Mirror::Hit, 2> nearest{mirror.miss(ray), mirror.miss(ray)};
+        std::array<Mirror::Hit, 2> by_strict_t = nearest;
+        for (int i = 0; i < count; ++i) {
+            for (const std::size_t order : {0, 1}) {
+                const int triangle = order == 0 ? i : count - 1 - i;
+                const auto hit =
+                    mirror.intersect_triangle(prepared, mirror.triangle_corner(triangle, 0),
+                                              mirror.triangle_corner(triangle, 1),
+                                              mirror.triangle_corner(triangle, 2), triangle);
+                nearest[order] = mirror.is_nearer(hit, nearest[order]) ? hit : nearest[order];
+                by_strict_t[order] =
+                    mirror.is_hit(hit) && hit.t < by_strict_t[order].t ? hit : by_strict_t[order];
+            }
+        }
+        parted += nearest[0].triangle == nearest[1].triangle ? 0 : 1;
+        parted_by_strict_t += by_strict_t[0].triangle == by_strict_t[1].triangle ? 0 : 1;
+    }
+    const char* same = "one answer in both orders";
+    return {promised_row("(t, triangle)", "C++", same, parted, rays.size()),
+            reported_row("t < nearest.t", "C++", same, parted_by_strict_t, rays.size())};
+}
+
 // A hit record that keeps a number as a float, as the paper's does, and one that keeps an integer.
 std::vector<TrialRow> numbers_as_floats(const TrialTools&) {
     std::size_t lost = 0;
@@ -70,6 +110,8 @@ std::vector<Trial> paper_checks() {
     return {
         {"P1", "the listing as it is printed: a second a, no q, a float3 for a number", paper,
          "give the cross product a name of its own", as_printed},
+        {"P10s", "the listing's strict t < lasthit.z, where triangles lie in one place", paper,
+         "of equal t, the smaller number of the triangle", two_orders},
         {"P11", "numbers of triangles from 2^24 on in the record of a hit", paper,
          "keep integers as integers", numbers_as_floats},
         {"P12", "a shadow ray, and what is behind the lamp", paper, "end the ray at the lamp",

@@ -119,6 +119,10 @@ std::vector<TrialRow> close_behind(const TrialTools& tools) {
 
 std::vector<Trial> surface_checks() {
     return {
+        {"P13", "rays that start where a ball was hit",
+         "Wang and Wen, Research of Acceleration Structures for GPU Based Ray Tracing, 2010",
+         "move the origin off the plane by as much as rounding can",
+         [](const TrialTools& tools) { return leave_surfaces(tools, any_point_of_a_ball); }},
         triangles_trial("S1", 1.0f, 0.0f),
         triangles_trial("S2", 1.0f, 1e3f),
         triangles_trial("S3", 1.0f, 1e5f),

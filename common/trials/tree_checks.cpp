@@ -97,6 +97,19 @@ std::vector<TrialRow> none_and_one(const TrialTools&) {
     return rows;
 }
 
+// What the paper's BuildTree, which ends at exactly one triangle, never comes back from.
+std::vector<TrialRow> missing_guards(const TrialTools& tools) {
+    const int count = 1000;
+    BvhOptions options;
+    options.leaf_triangles = 1;
+    const int limit = levels_of_halving(count, 1) + 1;
+    return {bvh_row({"median: no triangle", BvhSplit::median}, {}, 0, options),
+            bvh_row({"median: 1,000 copies", BvhSplit::median}, copies_of_a_triangle(count).corners,
+                    limit, options),
+            bvh_row({"median: one centre", BvhSplit::median},
+                    concentric_triangles(tools.seed, count), limit, options)};
+}
+
 std::vector<TrialRow> doubling_sizes(const TrialTools&) {
     BvhOptions options;
     options.leaf_triangles = 1;
@@ -171,6 +184,10 @@ std::vector<TrialRow> reached_once(const TrialTools& tools) {
 
 std::vector<Trial> tree_checks() {
     return {
+        {"P15", "BuildTree, for no triangle, 1,000 copies of one, and 1,000 with one centre",
+         "Wang and Wen, Research of Acceleration Structures for GPU Based Ray Tracing, 2010",
+         "end at one or none, and halve by number where no plane parts the centres",
+         missing_guards},
         {"V1c", "triangles with the same centre: the tree is as flat as by halving", "",
          "halve by number where no plane parts the centres", equal_centers},
         {"V1e", "copies of one triangle: the same", "", "halve by number", equal_triangles},

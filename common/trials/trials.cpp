@@ -34,8 +34,9 @@ std::vector<Trial> join_lists() {
     for (const HardCase& hard_case : hard_cases()) {
         all.push_back(to_trial(hard_case));
     }
-    for (const auto list : {paper_checks, triangle_checks, box_checks, grid_checks, tree_checks,
-                            surface_checks, effect_checks, file_checks, platform_checks}) {
+    for (const auto list :
+         {paper_checks, triangle_checks, box_checks, grid_checks, tree_checks, surface_checks,
+          effect_checks, glass_checks, file_checks, platform_checks}) {
         for (Trial& trial : list()) {
             all.push_back(std::move(trial));
         }

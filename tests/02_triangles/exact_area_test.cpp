@@ -2,6 +2,7 @@
 #include "mirror/every_triangle.h"
 #include "scene/random_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 

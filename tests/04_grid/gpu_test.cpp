@@ -3,6 +3,8 @@
 #include "support/error_of.h"
 #include "support/nonsense_answers.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 TEST_CASE("the GPU and the mirror walk a grid to the same bits", "[04][gpu]") {

@@ -9,6 +9,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace raysteps;

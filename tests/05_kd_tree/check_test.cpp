@@ -3,6 +3,8 @@
 #include "scene/shapes.h"
 #include "structure/check_kd_tree.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 namespace {

@@ -3,6 +3,8 @@
 #include "scene/shapes.h"
 #include "structure/clip_triangle.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 // What goes wrong without the rules of chapter 05, so that nobody takes them away again.

@@ -9,6 +9,8 @@
 #include "structure/check_kd_tree.h"
 #include "support/hard_scenes.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 TEST_CASE("K2 no walk depends on the size of t", "[05][hard_case]") {

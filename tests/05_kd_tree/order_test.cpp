@@ -4,6 +4,8 @@
 #include "recorded_walks.h"
 #include "scene/shapes.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 namespace {

@@ -3,6 +3,7 @@
 #include "scene/shapes.h"
 #include "walk_counted.h"
 
+#include <algorithm>
 #include <bit>
 #include <map>
 

@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "effect_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace raysteps;

@@ -3,6 +3,8 @@
 #include "render/whitted_renderer.h"
 #include "support/whitted_by_gpu.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 // Every scene with the effects that it calls for, and with all of them.

@@ -8,6 +8,7 @@
 #include "trials/fault_files.h"
 #include "trials/fuzz.h"
 
+#include <algorithm>
 #include <limits>
 
 using namespace raysteps;

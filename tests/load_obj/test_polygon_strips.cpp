@@ -4,6 +4,8 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 using namespace raysteps;
 
 TEST_CASE("the points found in a box are those that comparing with all points finds", "[polygon]") {

@@ -2,6 +2,8 @@
 
 #include "support/compare_hits.h"
 
+#include <algorithm>
+
 namespace raysteps {
 
 // How many answers to rays that may be no rays (hard_cases/ray_families.h) cannot be right: a

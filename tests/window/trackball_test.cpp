@@ -5,6 +5,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
+
 using namespace raysteps;
 
 namespace {
