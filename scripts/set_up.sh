@@ -82,12 +82,13 @@ set_up() {
     administrator=(sudo)
   fi
   echo "set-up: installing ${missing[*]}"
-  local log
+  # A file of settings that somebody has changed stays as it is, without a question.
+  local log keep_files=(-o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold)
   log=$(mktemp)
   # Where one of the sources fails, what is needed may come from the others: only the install decides.
   if ! { { "${administrator[@]}" apt-get update -q || true; } &&
     "${administrator[@]}" env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -y -q --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
+      apt-get install -y -q --no-install-recommends "${keep_files[@]}" "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
     tail -n 5 "$log" >&2
     echo "set-up: the packages could not be installed; the whole log is in $log." >&2
     exit 3
