@@ -4,11 +4,18 @@
 #include "structure/wide_box.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace raysteps {
 
 namespace {
+
+// The box around items and the one around their doubled centres.
+struct Bounds {
+    WideBox box = empty_wide_box();
+    WideBox centers = empty_wide_box();
+};
 
 // A range of the items that is to become a node.
 struct Bud {
@@ -16,6 +23,7 @@ struct Bud {
     std::size_t first = 0;
     std::size_t count = 0;
     int depth = 0;
+    Bounds bounds{};
 };
 
 struct Growth {
@@ -27,15 +35,18 @@ std::size_t most_in_leaf(const BvhOptions& options) {
     return static_cast<std::size_t>(options.leaf_triangles);
 }
 
-BvhRange range_of(std::span<const BvhItem> items) {
-    WideBox box = empty_wide_box();
-    WideBox centers = empty_wide_box();
+Bounds grown_by(const Bounds& bounds, const BvhItem& item) {
+    const WideBox box = wide_box_of(item);
+    const FourFloats center = doubled_center(box);
+    return {merge(bounds.box, box), merge(bounds.centers, {center, center})};
+}
+
+Bounds bounds_of(std::span<const BvhItem> items) {
+    Bounds bounds;
     for (const BvhItem& item : items) {
-        const glm::vec3 center = doubled_center(item);
-        box = merge(box, widen(item.box));
-        centers = merge(centers, widen({center, center}));
+        bounds = grown_by(bounds, item);
     }
-    return {items, narrow(box), narrow(centers)};
+    return bounds;
 }
 
 // Where the range is cut; nowhere, where it becomes a leaf.
@@ -58,12 +69,40 @@ std::optional<BvhCut> cut_of(const BvhRange& range, int depth, BvhRule rule,
     return cut ? cut : middle;
 }
 
-void part(std::span<BvhItem> items, const BvhCut& cut) {
+// The bounds of both sides, once the items are parted.
+using PartedBounds = std::array<Bounds, 2>;
+
+// By one look at each item, which is all that is needed to know the bounds as well.
+PartedBounds part_at(std::span<BvhItem> items, int axis, float first_upper_center) {
+    const auto is_lower = [=](const BvhItem& item) {
+        return doubled_center(item, axis) < first_upper_center;
+    };
+    PartedBounds bounds;
+    std::size_t first = 0;
+    std::size_t end = items.size();
+    while (true) {
+        for (; first < end && is_lower(items[first]); ++first) {
+            bounds[0] = grown_by(bounds[0], items[first]);
+        }
+        for (; first < end && !is_lower(items[end - 1]); --end) {
+            bounds[1] = grown_by(bounds[1], items[end - 1]);
+        }
+        if (first == end) {
+            return bounds;
+        }
+        // Both change sides. They are looked at before: right after they were written, it would
+        // take longer.
+        --end;
+        bounds[0] = grown_by(bounds[0], items[end]);
+        bounds[1] = grown_by(bounds[1], items[first]);
+        std::swap(items[first], items[end]);
+        ++first;
+    }
+}
+
+PartedBounds part(std::span<BvhItem> items, const BvhCut& cut) {
     if (cut.first_upper_center) {
-        std::partition(items.begin(), items.end(), [&cut](const BvhItem& item) {
-            return doubled_center(item, cut.axis) < *cut.first_upper_center;
-        });
-        return;
+        return part_at(items, cut.axis, *cut.first_upper_center);
     }
     const auto comes_first = [axis = cut.axis](const BvhItem& a, const BvhItem& b) {
         const float center_a = doubled_center(a, axis);
@@ -72,6 +111,7 @@ void part(std::span<BvhItem> items, const BvhCut& cut) {
     };
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(cut.lower_count),
                      items.end(), comes_first);
+    return {bounds_of(items.first(cut.lower_count)), bounds_of(items.subspan(cut.lower_count))};
 }
 
 // Grows until only buds of fewer items than `fewest` are left.
@@ -89,7 +129,7 @@ Growth grow(std::span<BvhItem> items, const Bud& root, BvhRule rule, const BvhOp
             continue;
         }
         const std::span<BvhItem> own = items.subspan(bud.first, bud.count);
-        const BvhRange range = range_of(own);
+        const BvhRange range{own, narrow(bud.bounds.box), narrow(bud.bounds.centers)};
         growth.nodes[bud.node].box = range.box;
         const std::optional<BvhCut> cut = cut_of(range, bud.depth, rule, options);
         if (!cut) {
@@ -99,13 +139,13 @@ Growth grow(std::span<BvhItem> items, const Bud& root, BvhRule rule, const BvhOp
             growth.nodes[bud.node].count = static_cast<std::int32_t>(bud.count);
             continue;
         }
-        part(own, *cut);
+        const PartedBounds parted = part(own, *cut);
         const std::size_t child = growth.nodes.size();
         growth.nodes[bud.node].first = static_cast<std::int32_t>(child);
         growth.nodes.resize(child + 2);
         const std::size_t middle = bud.first + cut->lower_count;
-        buds.push_back({child + 1, middle, bud.count - cut->lower_count, bud.depth + 1});
-        buds.push_back({child, bud.first, cut->lower_count, bud.depth + 1});
+        buds.push_back({child + 1, middle, bud.count - cut->lower_count, bud.depth + 1, parted[1]});
+        buds.push_back({child, bud.first, cut->lower_count, bud.depth + 1, parted[0]});
     }
     return growth;
 }
@@ -142,8 +182,8 @@ std::vector<BvhNode> grow_bvh(std::span<BvhItem> items, BvhRule rule, const BvhO
     if (items.empty()) {
         return {};
     }
-    Growth trunk =
-        grow(items, {0, 0, items.size(), depth}, rule, options, fewest_of_trunk(items.size()));
+    Growth trunk = grow(items, {0, 0, items.size(), depth, bounds_of(items)}, rule, options,
+                        fewest_of_trunk(items.size()));
     std::vector<std::vector<BvhNode>> branches(trunk.left_over.size());
     on_threads(options.threads, branches.size(), [&](std::size_t i) {
         branches[i] = grow(items, trunk.left_over[i], rule, options, 0).nodes;

@@ -49,12 +49,12 @@ std::vector<Bin> fill_bins(std::span<const BvhItem> items, const std::array<BinS
     const auto bins_an_axis = static_cast<std::size_t>(scales[0].last) + 1;
     std::vector<Bin> bins(3 * bins_an_axis);
     for (const BvhItem& item : items) {
-        const WideBox box = widen(item.box);
+        const WideBox box = wide_box_of(item);
+        const FourFloats center = doubled_center(box);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float center = box.lower[axis] + box.upper[axis];
-            Bin& bin = bins[axis * bins_an_axis + bin_of(scales[axis], center)];
+            Bin& bin = bins[axis * bins_an_axis + bin_of(scales[axis], center[axis])];
             bin.box = merge(bin.box, box);
-            bin.first_center = std::min(bin.first_center, center);
+            bin.first_center = std::min(bin.first_center, center[axis]);
             ++bin.count;
         }
     }
@@ -67,13 +67,20 @@ int bins_for(std::size_t items, const BvhOptions& options) {
     return static_cast<int>(std::min(bins, items + 4));
 }
 
+// Those that hold an item, in their order. A cut beside an empty bin is also one between these.
+std::span<Bin> filled(std::span<Bin> bins) {
+    const auto end =
+        std::remove_if(bins.begin(), bins.end(), [](const Bin& bin) { return bin.count == 0; });
+    return {bins.begin(), end};
+}
+
 // The cheapest cut between two of the bins. The cost is only the sum of areas times numbers here.
-// The first and the last bin hold an item each, so no cut leaves a side empty.
+// The first and the last bin hold an item each, so no cut leaves a side empty, and no box is.
 BvhCut cheapest_cut(std::span<Bin> bins, int axis, std::size_t all) {
     WideBox upper = empty_wide_box();
     for (std::size_t i = bins.size(); i-- > 1;) {
         upper = merge(upper, bins[i].box);
-        bins[i].area_from_here = surface_area(narrow(upper));
+        bins[i].area_from_here = surface_area(upper);
     }
     BvhCut best{axis};
     std::size_t best_bin = 0;
@@ -83,7 +90,7 @@ BvhCut cheapest_cut(std::span<Bin> bins, int axis, std::size_t all) {
         lower = merge(lower, bins[i - 1].box);
         count += bins[i - 1].count;
         //# exercise 6.6: what a cut costs
-        const double cost = surface_area(narrow(lower)) * static_cast<double>(count) +
+        const double cost = surface_area(lower) * static_cast<double>(count) +
                             bins[i].area_from_here * static_cast<double>(all - count);
         //# stub: const double cost = static_cast<double>(all + count + i);
         //# end
@@ -113,8 +120,8 @@ std::optional<BvhCut> split_binned(const BvhRange& range, const BvhOptions& opti
         if (scales[axis].bins_a_unit == 0.0) {
             continue;
         }
-        const BvhCut cut = cheapest_cut(std::span(bins).subspan(axis * bins_an_axis, bins_an_axis),
-                                        static_cast<int>(axis), range.items.size());
+        const std::span<Bin> all = std::span(bins).subspan(axis * bins_an_axis, bins_an_axis);
+        const BvhCut cut = cheapest_cut(filled(all), static_cast<int>(axis), range.items.size());
         if (!best || cut.cost < best->cost) {
             best = cut;
         }

@@ -1,29 +1,39 @@
 #pragma once
 
-#include "geometry/box.h"
+#include "structure/bvh_item.h"
 
-#include <array>
 #include <cstddef>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace raysteps {
 
-// A box with a fourth axis that nobody asks for: compilers merge four numbers in one instruction,
-// and three in three. Builders spend most of their time on it.
-struct alignas(16) WideBox {
-    std::array<float, 4> lower;
-    std::array<float, 4> upper;
+// Four numbers that one instruction computes with (g++ and clang++ have such types).
+using FourFloats = float __attribute__((vector_size(16)));
+
+// A box with a fourth axis that nobody asks for. Builders spend most of their time merging boxes,
+// and four axes at once are merged sooner than three one by one.
+struct WideBox {
+    FourFloats lower;
+    FourFloats upper;
 };
 
 inline WideBox empty_wide_box() {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    return {{+infinity, +infinity, +infinity, +infinity},
-            {-infinity, -infinity, -infinity, -infinity}};
+    return {FourFloats{+infinity, +infinity, +infinity, +infinity},
+            FourFloats{-infinity, -infinity, -infinity, -infinity}};
 }
 
-inline WideBox widen(const Box& box) {
-    return {{box.lower.x, box.lower.y, box.lower.z, 0.0f},
-            {box.upper.x, box.upper.y, box.upper.z, 0.0f}};
+// The box of an item; on the fourth axis stands what comes next in memory.
+inline WideBox wide_box_of(const BvhItem& item) {
+    static_assert(std::is_trivially_copyable_v<BvhItem> && sizeof(Box) == 6 * sizeof(float) &&
+                  sizeof(BvhItem) == 7 * sizeof(float));
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&item);
+    WideBox box; // every number is set
+    std::memcpy(&box.lower, bytes, sizeof(box.lower));
+    std::memcpy(&box.upper, bytes + sizeof(glm::vec3), sizeof(box.upper));
+    return box;
 }
 
 inline Box narrow(const WideBox& box) {
@@ -31,14 +41,20 @@ inline Box narrow(const WideBox& box) {
 }
 
 inline WideBox merge(const WideBox& a, const WideBox& b) {
-    WideBox both; // every number is set below
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        both.lower[axis] = b.lower[axis] < a.lower[axis] ? b.lower[axis] : a.lower[axis];
-    }
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        both.upper[axis] = b.upper[axis] > a.upper[axis] ? b.upper[axis] : a.upper[axis];
-    }
-    return both;
+    return {b.lower < a.lower ? b.lower : a.lower, b.upper > a.upper ? b.upper : a.upper};
+}
+
+// Twice the centre: see doubled_center.
+inline FourFloats doubled_center(const WideBox& box) {
+    return box.lower + box.upper;
+}
+
+// The surface of a box that is not empty: see surface_area.
+inline double surface_area(const WideBox& box) {
+    const double x = static_cast<double>(box.upper[0]) - static_cast<double>(box.lower[0]);
+    const double y = static_cast<double>(box.upper[1]) - static_cast<double>(box.lower[1]);
+    const double z = static_cast<double>(box.upper[2]) - static_cast<double>(box.lower[2]);
+    return 2.0 * (x * y + y * z + z * x);
 }
 
 } // namespace raysteps
