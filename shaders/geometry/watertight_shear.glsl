@@ -64,13 +64,15 @@ Hit watertight_hit(PreparedRay ray, real3 p, real3 q, real3 r, real3 areas, int 
     precise real t = share * p.z + u * q.z + v * r.z;
     bool on_ray = t >= ray.t_min && t <= ray.t_max;
 
-    // Rounding may bring u + v over 1 by a hair; 1 - u is the most that v can be.
+    // Rounding may bring u + v over 1 by a hair; 1 - u is the most that v can be. (Precise, or a
+    // compiler may take the least of both, and of two zeros the one or the other.)
     precise real most = real(1.0f) - u;
+    precise real least = v < most ? v : most;
 
     Hit hit;
     hit.t = t;
     hit.u = u;
-    hit.v = v < most ? v : most;
+    hit.v = least;
     hit.triangle = inside && on_ray ? triangle : no_triangle;
     return hit;
 }

@@ -14,6 +14,16 @@ sys.path.insert(0, str(ROOT / "scripts"))
 COURSE = os.environ.get("RAYSTEPS_COURSE", f"{sys.executable};{ROOT}/course").split(";")
 
 
+def exercise_of(number):
+    from course import exercises
+
+    return exercises.select_one(exercises.load(), number)
+
+
+def solution_of(number):
+    return "\n".join(exercise_of(number).region.code)
+
+
 class CourseTest(unittest.TestCase):
     """A test with a folder of its own, in which `workbook` is the workbook."""
 
@@ -33,10 +43,10 @@ class CourseTest(unittest.TestCase):
 
     def solve(self, number, code=None):
         """Writes lines into the workbook's place of an exercise; the solution where none are given."""
-        from course import exercises, marks
+        from course import marks
 
-        exercise = exercises.select_one(exercises.load(), number)
+        exercise = exercise_of(number)
         path = self.workbook / exercise.file
-        code = exercise.region.code if code is None else code.split("\n")
+        code = (solution_of(number) if code is None else code).split("\n")
         path.write_text(marks.with_code(path.read_text(), path, {number: code}))
         return path
