@@ -2,6 +2,7 @@
 #include "command/command.h"
 #include "command/show_trace.h"
 #include "command/tracing_options.h"
+#include "run_builds.h"
 #include "run_comparison.h"
 
 using namespace raysteps;
@@ -29,6 +30,8 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--embree", comparison.embree, "auto, robust, fast or off")
         ->capture_default_str();
+    bool builds = false;
+    app.add_flag("--builds", builds, "only build: our BVH and Embree's, in turn, on one thread");
     return run_command(app, command, argc, argv, [&] {
         if (!command.rays.empty() || command.window) {
             show_trace(command, "normals");
@@ -41,6 +44,10 @@ int main(int argc, char** argv) {
             }
             comparison.scenes.insert(comparison.scenes.begin(), command.scene);
             comparison.growth = growth->count() > 0 ? comparison.growth : -1;
+        }
+        if (builds) {
+            run_builds(command, comparison);
+            return;
         }
         if (app.count("--structure") > 0) {
             comparison.structures = {command.structure};

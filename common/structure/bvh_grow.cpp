@@ -118,6 +118,7 @@ PartedBounds part(std::span<BvhItem> items, const BvhCut& cut) {
 Growth grow(std::span<BvhItem> items, const Bud& root, BvhRule rule, const BvhOptions& options,
             std::size_t fewest) {
     Growth growth;
+    growth.nodes.reserve(fewest == 0 ? root.count : 0); // leaves of two and more are usual
     growth.nodes.emplace_back();
     std::vector<Bud> buds{root};
     buds.back().node = 0;
@@ -188,7 +189,12 @@ std::vector<BvhNode> grow_bvh(std::span<BvhItem> items, BvhRule rule, const BvhO
     on_threads(options.threads, branches.size(), [&](std::size_t i) {
         branches[i] = grow(items, trunk.left_over[i], rule, options, 0).nodes;
     });
+    std::size_t count = trunk.nodes.size();
+    for (const std::vector<BvhNode>& branch : branches) {
+        count += branch.size();
+    }
     std::vector<BvhNode> nodes = std::move(trunk.nodes);
+    nodes.reserve(count);
     for (std::size_t i = 0; i < branches.size(); ++i) {
         nodes = graft(std::move(nodes), trunk.left_over[i].node, branches[i], 0);
         branches[i] = {};

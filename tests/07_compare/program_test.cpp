@@ -100,3 +100,18 @@ TEST_CASE("a slow walk is measured with a part of the rays and says so", "[07][p
     CHECK(walk["rays"] == 64); // one run of 64 rays: not less
     CHECK_THAT(bytes_of(folder / "output"), contains_text("* too slow for all rays"));
 }
+
+TEST_CASE("builds are compared without any tracing", "[07][program][builds]") {
+    const ScratchFolder folder("07_builds");
+    const bool done = run_in(folder, "--builds --scenes compact:4,soup:1000 --rounds 2");
+    const std::string errors = bytes_of(folder / "errors");
+    CAPTURE(errors);
+    if (errors.find("built without Embree") != std::string::npos) {
+        CHECK_FALSE(done);
+        return;
+    }
+    REQUIRE(done);
+    CHECK(count_lines(bytes_of(folder / "out/07_compare/builds.csv")) == 3);
+    CHECK(bytes_of(folder / "output").find("rtcBuildBVH") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder / "out/07_compare/compare.json"));
+}

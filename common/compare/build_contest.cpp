@@ -1,0 +1,107 @@
+#include "compare/build_contest.h"
+
+#include "compare/stopwatch.h"
+#include "embree/embree_builder.h"
+#include "error/error.h"
+#include "structure/build_bvh.h"
+#include "structure/measure_bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace raysteps {
+
+namespace {
+
+// As ./run.sh 06 builds it, on one thread.
+BvhOptions options_of(BvhSplit split) {
+    BvhOptions options;
+    options.split = split;
+    options.leaf_triangles = 7;
+    options.traversal_cost = 3.0;
+    options.threads = 1;
+    return options;
+}
+
+std::vector<Box> boxes_of(std::span<const glm::vec3> corners) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        boxes.push_back(bounds_of(corners.subspan(i, 3)));
+    }
+    return boxes;
+}
+
+double cost_of(const Scene& scene, BvhSplit split) {
+    const BvhOptions options = options_of(split);
+    return measure_bvh(build_bvh(scene.corners, options), options).cost;
+}
+
+double middle_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), pattern, values...);
+    return line.data();
+}
+
+std::string range_of(const std::vector<double>& values) {
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    return format("%5.0f (%.0f-%.0f)", middle_of(values), *least, *greatest);
+}
+
+} // namespace
+
+BuildContest contest_builds(const Scene& scene, int rounds, const Progress& progress) {
+    BuildContest contest{scene.name, scene.corners.size() / 3, {}, {}, 0.0};
+    if (contest.triangles == 0) {
+        throw InputError(scene.name + " has no triangle, so there is nothing to build. Take "
+                                      "another scene.");
+    }
+    const BvhOptions options = options_of(BvhSplit::binned);
+    EmbreeBuilder embree(boxes_of(scene.corners), {options.leaf_triangles, options.traversal_cost,
+                                                   options.intersection_cost});
+    const double nanoseconds = 1e9 / static_cast<double>(contest.triangles);
+    for (int round = 0; round <= rounds; ++round) {
+        progress(static_cast<double>(round) / (rounds + 2));
+        const double ours = seconds_of([&] { build_bvh(scene.corners, options); }).cpu;
+        embree.prepare();
+        const double embrees = seconds_of([&] { embree.build(); }).cpu;
+        if (round > 0) {
+            contest.ours.push_back(ours * nanoseconds);
+            contest.embrees.push_back(embrees * nanoseconds);
+        }
+    }
+    contest.cost_to_sweep = cost_of(scene, BvhSplit::binned) / cost_of(scene, BvhSplit::sweep);
+    progress(1.0);
+    return contest;
+}
+
+std::string to_table(const std::vector<BuildContest>& contests) {
+    std::string table = format("%-16s %10s %20s %20s %6s %8s\n", "scene", "triangles",
+                               "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
+    for (const BuildContest& contest : contests) {
+        table +=
+            format("%-16s %10zu %20s %20s %6.2f %8.4f\n", contest.scene.c_str(), contest.triangles,
+                   range_of(contest.ours).c_str(), range_of(contest.embrees).c_str(),
+                   middle_of(contest.ours) / middle_of(contest.embrees), contest.cost_to_sweep);
+    }
+    return table;
+}
+
+std::string to_csv(const std::vector<BuildContest>& contests) {
+    std::string csv = "scene,triangles,nanoseconds_a_triangle,embree_nanoseconds_a_triangle,"
+                      "ratio,cost_to_sweep\n";
+    for (const BuildContest& contest : contests) {
+        csv += format("%s,%zu,%.9g,%.9g,%.9g,%.9g\n", contest.scene.c_str(), contest.triangles,
+                      middle_of(contest.ours), middle_of(contest.embrees),
+                      middle_of(contest.ours) / middle_of(contest.embrees), contest.cost_to_sweep);
+    }
+    return csv;
+}
+
+} // namespace raysteps

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/trace_rays.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+// A BVH built by us and by Embree: nanoseconds of the processor a triangle, in each round.
+struct BuildContest {
+    std::string scene;
+    std::size_t triangles = 0;
+    std::vector<double> ours;
+    std::vector<double> embrees;
+    double cost_to_sweep = 0.0; // our tree's expected cost as a multiple of a full sweep's
+};
+
+// Builds the scene's tree by `--split binned` and by Embree's rtcBuildBVH at medium quality in
+// turn, each on one thread, for leaves as large and the same costs; after a round that is not
+// counted. Throws MachineError where Embree is missing, and InputError where there is no triangle.
+BuildContest contest_builds(const Scene& scene, int rounds, const Progress& progress);
+
+// For people, with the middle, the least and the greatest of the rounds; and for programs.
+std::string to_table(const std::vector<BuildContest>& contests);
+std::string to_csv(const std::vector<BuildContest>& contests);
+
+} // namespace raysteps

@@ -1,0 +1,22 @@
+#include "embree/embree_builder.h"
+
+#include "error/error.h"
+
+namespace raysteps {
+
+struct EmbreeBuilder::Inside {};
+
+EmbreeBuilder::EmbreeBuilder(std::span<const Box>, const EmbreeTreeOptions&) {
+    throw MachineError("this program was built without Embree. Install Embree (the package "
+                       "libembree-dev) and build again.");
+}
+
+EmbreeBuilder::~EmbreeBuilder() = default;
+
+void EmbreeBuilder::prepare() {}
+
+EmbreeTree EmbreeBuilder::build() {
+    return {};
+}
+
+} // namespace raysteps

@@ -1,0 +1,125 @@
+#include "embree/embree_builder.h"
+
+#include "embree/there/embree_calls.h"
+#include "error/error.h"
+
+#include <vector>
+
+namespace raysteps {
+
+namespace {
+
+struct InnerNode {
+    std::array<void*, 2> children;
+    std::array<RTCBounds, 2> boxes;
+};
+
+struct Leaf {
+    std::size_t count;
+    unsigned first;
+};
+
+// What Embree calls for each part of the tree; `tree` is the EmbreeTree.
+
+void* make_inner_node(RTCThreadLocalAllocator memory, unsigned, void* tree) {
+    ++static_cast<EmbreeTree*>(tree)->inner_nodes;
+    return rtcThreadLocalAlloc(memory, sizeof(InnerNode), alignof(InnerNode));
+}
+
+void set_children(void* node, void** children, unsigned count, void*) {
+    for (unsigned i = 0; i < count; ++i) {
+        static_cast<InnerNode*>(node)->children[i] = children[i];
+    }
+}
+
+void set_boxes(void* node, const RTCBounds** boxes, unsigned count, void*) {
+    for (unsigned i = 0; i < count; ++i) {
+        static_cast<InnerNode*>(node)->boxes[i] = *boxes[i];
+    }
+}
+
+void* make_leaf(RTCThreadLocalAllocator memory, const RTCBuildPrimitive* triangles,
+                std::size_t count, void* tree) {
+    ++static_cast<EmbreeTree*>(tree)->leaves;
+    static_cast<EmbreeTree*>(tree)->triangles += count;
+    auto* const leaf = static_cast<Leaf*>(rtcThreadLocalAlloc(memory, sizeof(Leaf), alignof(Leaf)));
+    *leaf = {count, triangles[0].primID};
+    return leaf;
+}
+
+} // namespace
+
+struct EmbreeBuilder::Inside {
+    EmbreeTreeOptions options;
+    std::vector<RTCBuildPrimitive> triangles;
+    std::vector<RTCBuildPrimitive> prepared;
+    RTCDevice device = nullptr;
+    RTCBVH tree = nullptr;
+};
+
+EmbreeBuilder::EmbreeBuilder(std::span<const Box> boxes, const EmbreeTreeOptions& options)
+    : inside_(std::make_unique<Inside>()) {
+    inside_->options = options;
+    for (const Box& box : boxes) {
+        RTCBuildPrimitive triangle{};
+        triangle.lower_x = box.lower.x;
+        triangle.lower_y = box.lower.y;
+        triangle.lower_z = box.lower.z;
+        triangle.upper_x = box.upper.x;
+        triangle.upper_y = box.upper.y;
+        triangle.upper_z = box.upper.z;
+        triangle.primID = static_cast<unsigned>(inside_->triangles.size());
+        inside_->triangles.push_back(triangle);
+    }
+    inside_->device = rtcNewDevice("threads=1");
+    if (inside_->device == nullptr) {
+        throw MachineError("Embree cannot start: it gives no device.");
+    }
+}
+
+EmbreeBuilder::~EmbreeBuilder() {
+    if (inside_->tree != nullptr) {
+        rtcReleaseBVH(inside_->tree);
+    }
+    if (inside_->device != nullptr) {
+        rtcReleaseDevice(inside_->device);
+    }
+}
+
+void EmbreeBuilder::prepare() {
+    if (inside_->tree != nullptr) {
+        rtcReleaseBVH(inside_->tree);
+    }
+    inside_->tree = rtcNewBVH(inside_->device);
+    inside_->prepared = inside_->triangles;
+}
+
+EmbreeTree EmbreeBuilder::build() {
+    EmbreeTree tree;
+    RTCBuildArguments arguments = rtcDefaultBuildArguments();
+    arguments.byteSize = sizeof(arguments);
+    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+    arguments.maxBranchingFactor = 2;
+    arguments.maxDepth = 64;
+    arguments.sahBlockSize = 1;
+    arguments.minLeafSize = 1;
+    arguments.maxLeafSize = static_cast<unsigned>(inside_->options.leaf_triangles);
+    arguments.traversalCost = static_cast<float>(inside_->options.traversal_cost);
+    arguments.intersectionCost = static_cast<float>(inside_->options.intersection_cost);
+    arguments.bvh = inside_->tree;
+    arguments.primitives = inside_->prepared.data();
+    arguments.primitiveCount = inside_->prepared.size();
+    arguments.primitiveArrayCapacity = inside_->prepared.size();
+    arguments.createNode = make_inner_node;
+    arguments.setNodeChildren = set_children;
+    arguments.setNodeBounds = set_boxes;
+    arguments.createLeaf = make_leaf;
+    arguments.userPtr = &tree;
+    if (rtcBuildBVH(&arguments) == nullptr) {
+        throw MachineError("Embree built no tree: its error has the number " +
+                           std::to_string(rtcGetDeviceError(inside_->device)) + ".");
+    }
+    return tree;
+}
+
+} // namespace raysteps

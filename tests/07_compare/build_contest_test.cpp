@@ -1,0 +1,65 @@
+#include "compare/build_contest.h"
+
+#include "catch.h"
+#include "embree/embree_builder.h"
+#include "error/error.h"
+#include "hard_cases/loose_triangles.h"
+#include "scene/load_scene.h"
+
+using namespace raysteps;
+
+namespace {
+
+const Progress quiet = [](double) {};
+
+BuildContest of_numbers(const std::string& scene, std::vector<double> ours,
+                        std::vector<double> embrees) {
+    return {scene, 1000, std::move(ours), std::move(embrees), 1.004};
+}
+
+} // namespace
+
+TEST_CASE("the table of builds has the middle and the range and their ratio", "[07][builds]") {
+    const auto contest = of_numbers("ball", {300.0, 100.0, 200.0}, {500.0, 400.0, 300.0});
+    CHECK(to_csv({contest}) == "scene,triangles,nanoseconds_a_triangle,"
+                               "embree_nanoseconds_a_triangle,ratio,cost_to_sweep\n"
+                               "ball,1000,200,400,0.5,1.004\n");
+    CHECK_THAT(to_table({contest}), contains_text("200 (100-300)") &&
+                                        contains_text("400 (300-500)") && contains_text(" 0.50 "));
+}
+
+TEST_CASE("Embree's tree holds every triangle in leaves no larger than asked", "[07][builds]") {
+    RandomNumbers numbers(3);
+    const std::vector<glm::vec3> corners = random_triangles(numbers, 500).corners;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        boxes.push_back(bounds_of(std::span(corners).subspan(i, 3)));
+    }
+    EmbreeBuilder builder(boxes, {.leaf_triangles = 4});
+    for (int time = 0; time < 2; ++time) {
+        builder.prepare();
+        const EmbreeTree tree = builder.build();
+        CHECK(tree.triangles == 500);
+        CHECK(tree.leaves >= 125);
+        CHECK(tree.inner_nodes == tree.leaves - 1); // as in every binary tree
+    }
+}
+
+TEST_CASE("bins cost a ray at most a fiftieth more than a full sweep", "[07][builds]") {
+    for (const char* name : {"bunny", "knot:4", "stadium:2", "soup"}) {
+        CAPTURE(name);
+        const BuildContest contest = contest_builds(load_scene(name, 1.0f), 1, quiet);
+        CHECK(contest.ours.size() == 1);
+        CHECK(contest.embrees.size() == 1);
+        CHECK(contest.ours.front() > 0.0);
+        CHECK(contest.embrees.front() > 0.0);
+        CHECK(contest.cost_to_sweep > 0.98);
+        CHECK(contest.cost_to_sweep <= 1.02);
+    }
+}
+
+TEST_CASE("a scene without a triangle has no builds", "[07][builds]") {
+    Scene empty;
+    empty.name = "nothing";
+    CHECK_THROWS_AS(contest_builds(empty, 1, quiet), InputError);
+}
