@@ -71,7 +71,7 @@ class Exercises(CourseTest):
         for exercise in exercises.load():
             counts[exercise.chapter] = counts.get(exercise.chapter, 0) + 1
         self.assertEqual(list(counts), ["01_rays", "02_triangles", "03_shading", "04_grid",
-                                        "05_kd_tree", "06_bvh", "08_accuracy",
+                                        "05_kd_tree", "06_bvh", "07_compare", "08_accuracy",
                                         "09_effects"])
         self.assertTrue(all(3 <= count <= 6 for count in counts.values()), counts)
 

@@ -48,7 +48,7 @@ class Words(unittest.TestCase):
                                                   "--size", "64x48", "--pixel=33,11"])
 
     def test_an_exercise_without_a_ray_in_a_scene_says_so(self):
-        for number in ("8.2", "9.1"):
+        for number in ("7.3", "8.2", "9.1"):
             self.assertIn(f"{number} asks about no ray in a scene",
                           view.nothing_to_see(exercises.select_one(exercises.load(), number)))
         self.assertIn("There is no wrong ray or pixel",
