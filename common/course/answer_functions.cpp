@@ -8,11 +8,15 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace raysteps {
 
