@@ -7,6 +7,7 @@
 #include "effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
 #include "report/bar_chart.h"
+#include "report/measured_range.h"
 #include "scene/load_scene.h"
 
 #include <algorithm>
@@ -39,9 +40,8 @@ struct SceneProof {
     std::vector<std::pair<std::string, double>> without; // seconds without one effect
 };
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
+double median(const std::vector<double>& values) {
+    return measured_range(values).median;
 }
 
 std::size_t count_different(const Image& a, const Image& b) {

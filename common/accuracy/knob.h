@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "report/measured_range.h"
 #include "report/summary.h"
 
 #include <cstddef>
@@ -32,16 +33,12 @@ struct Findings {
 };
 
 // Nanoseconds a case, over the rounds of a measurement.
-struct Cost {
-    double median = 0.0;
-    double lowest = 0.0;
-    double highest = 0.0;
-};
+using Cost = MeasuredRange;
 
 // Whether every round of a was cheaper than every round of b. Where neither is, their ranges
 // overlap, and no rank is given.
 inline bool is_cheaper(const Cost& a, const Cost& b) {
-    return a.highest < b.lowest;
+    return lies_below(a, b);
 }
 
 // One method at work on one family of cases.

@@ -51,9 +51,10 @@ void check_same_answers(const Knob& knob, const Measurement& measurement) {
 }
 
 Cost cost_of(std::vector<double> seconds, std::size_t cases) {
-    std::sort(seconds.begin(), seconds.end());
-    const double scale = 1e9 / static_cast<double>(cases);
-    return {scale * seconds[seconds.size() / 2], scale * seconds.front(), scale * seconds.back()};
+    for (double& time : seconds) {
+        time *= 1e9 / static_cast<double>(cases);
+    }
+    return measured_range(std::move(seconds));
 }
 
 } // namespace

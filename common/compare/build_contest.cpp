@@ -6,7 +6,6 @@
 #include "structure/build_bvh.h"
 #include "structure/measure_bvh.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -37,11 +36,6 @@ double cost_of(const Scene& scene, BvhSplit split) {
     return measure_bvh(build_bvh(scene.corners, options), options).cost;
 }
 
-double middle_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
     std::array<char, 256> line{};
@@ -49,36 +43,41 @@ std::string format(const char* pattern, Values... values) {
     return line.data();
 }
 
-std::string range_of(const std::vector<double>& values) {
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    return format("%5.0f (%.0f-%.0f)", middle_of(values), *least, *greatest);
+std::string to_words(const MeasuredRange& range) {
+    return format("%5.0f (%.0f-%.0f)", range.median, range.lowest, range.highest);
+}
+
+double ratio_of(const BuildContest& contest) {
+    return contest.ours.median / contest.embrees.median;
 }
 
 } // namespace
 
 BuildContest contest_builds(const Scene& scene, int rounds, const Progress& progress) {
-    BuildContest contest{scene.name, scene.corners.size() / 3, {}, {}, 0.0};
-    if (contest.triangles == 0) {
+    const std::size_t triangles = scene.corners.size() / 3;
+    if (triangles == 0) {
         throw InputError(scene.name + " has no triangle, so there is nothing to build. Take "
                                       "another scene.");
     }
     const BvhOptions options = options_of(BvhSplit::binned);
     EmbreeBuilder embree(boxes_of(scene.corners), {options.leaf_triangles, options.traversal_cost,
                                                    options.intersection_cost});
-    const double nanoseconds = 1e9 / static_cast<double>(contest.triangles);
+    const double nanoseconds = 1e9 / static_cast<double>(triangles);
+    std::vector<double> ours;
+    std::vector<double> embrees;
     for (int round = 0; round <= rounds; ++round) {
         progress(static_cast<double>(round) / (rounds + 2));
-        const double ours = seconds_of([&] { build_bvh(scene.corners, options); }).cpu;
+        const double own = seconds_of([&] { build_bvh(scene.corners, options); }).cpu;
         embree.prepare();
-        const double embrees = seconds_of([&] { embree.build(); }).cpu;
+        const double embrees_own = seconds_of([&] { embree.build(); }).cpu;
         if (round > 0) {
-            contest.ours.push_back(ours * nanoseconds);
-            contest.embrees.push_back(embrees * nanoseconds);
+            ours.push_back(own * nanoseconds);
+            embrees.push_back(embrees_own * nanoseconds);
         }
     }
-    contest.cost_to_sweep = cost_of(scene, BvhSplit::binned) / cost_of(scene, BvhSplit::sweep);
+    const double cost = cost_of(scene, BvhSplit::binned) / cost_of(scene, BvhSplit::sweep);
     progress(1.0);
-    return contest;
+    return {scene.name, triangles, measured_range(ours), measured_range(embrees), cost};
 }
 
 std::string to_table(const std::vector<BuildContest>& contests) {
@@ -87,8 +86,8 @@ std::string to_table(const std::vector<BuildContest>& contests) {
     for (const BuildContest& contest : contests) {
         table +=
             format("%-16s %10zu %20s %20s %6.2f %8.4f\n", contest.scene.c_str(), contest.triangles,
-                   range_of(contest.ours).c_str(), range_of(contest.embrees).c_str(),
-                   middle_of(contest.ours) / middle_of(contest.embrees), contest.cost_to_sweep);
+                   to_words(contest.ours).c_str(), to_words(contest.embrees).c_str(),
+                   ratio_of(contest), contest.cost_to_sweep);
     }
     return table;
 }
@@ -98,8 +97,8 @@ std::string to_csv(const std::vector<BuildContest>& contests) {
                       "ratio,cost_to_sweep\n";
     for (const BuildContest& contest : contests) {
         csv += format("%s,%zu,%.9g,%.9g,%.9g,%.9g\n", contest.scene.c_str(), contest.triangles,
-                      middle_of(contest.ours), middle_of(contest.embrees),
-                      middle_of(contest.ours) / middle_of(contest.embrees), contest.cost_to_sweep);
+                      contest.ours.median, contest.embrees.median, ratio_of(contest),
+                      contest.cost_to_sweep);
     }
     return csv;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace_rays.h"
+#include "report/measured_range.h"
 #include "scene/scene.h"
 
 #include <string>
@@ -8,12 +9,12 @@
 
 namespace raysteps {
 
-// A BVH built by us and by Embree: nanoseconds of the processor a triangle, in each round.
+// A BVH built by us and by Embree: nanoseconds of the processor a triangle.
 struct BuildContest {
     std::string scene;
     std::size_t triangles = 0;
-    std::vector<double> ours;
-    std::vector<double> embrees;
+    MeasuredRange ours;
+    MeasuredRange embrees;
     double cost_to_sweep = 0.0; // our tree's expected cost as a multiple of a full sweep's
 };
 

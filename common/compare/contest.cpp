@@ -73,11 +73,6 @@ void add_counts(Entry& entry, TraceRays& count, const SceneTextures& scene) {
     }
 }
 
-double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 ContestRow finish(Entry entry) {
     std::vector<double> rates;
     std::vector<double> cores;
@@ -85,9 +80,8 @@ ContestRow finish(Entry entry) {
         rates.push_back(static_cast<double>(entry.row.rays) / seconds.clock / 1e6);
         cores.push_back(seconds.cpu / seconds.clock);
     }
-    const auto [lowest, highest] = std::minmax_element(rates.begin(), rates.end());
-    entry.row.rate = {median_of(rates), *lowest, *highest};
-    entry.row.cores = median_of(cores);
+    entry.row.rate = measured_range(rates);
+    entry.row.cores = measured_range(cores).median;
     return entry.row;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "compare/growth.h"
 #include "compare/scene_result.h"
+#include "report/growth.h"
 
 #include <span>
 #include <string>

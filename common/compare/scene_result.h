@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/measured_range.h"
 #include "structure/structure_family.h"
 
 #include <cstddef>
@@ -9,16 +10,12 @@
 namespace raysteps {
 
 // Million rays a second over the rounds of a measurement.
-struct Rate {
-    double median = 0.0;
-    double lowest = 0.0;
-    double highest = 0.0;
-};
+using Rate = MeasuredRange;
 
 // Whether every round of a was faster than every round of b. Where neither is faster than the other
 // in this sense, their ranges overlap, and no winner is named.
 inline bool is_faster(const Rate& a, const Rate& b) {
-    return a.lowest > b.highest;
+    return lies_below(b, a);
 }
 
 // What rays of one kind cost one contender in one scene.

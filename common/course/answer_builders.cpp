@@ -3,6 +3,7 @@
 #include "error/error.h"
 #include "geometry/box.h"
 #include "structure/grid_shape.h"
+#include "structure/half_bvh.h"
 #include "structure/kd_plane.h"
 #include "structure/split_binned.h"
 #include "structure/split_median.h"
@@ -115,17 +116,32 @@ Found bvh_binned(const Question& /*question*/, std::span<const Ray> boxes) {
     return bvh_cut(split_binned, boxes);
 }
 
+// Of the last box, in the frame around all of them, along one axis.
+Found half_planes(const Question& question, std::span<const Ray> boxes) {
+    const Box whole = around(boxes);
+    const HalfFrame frame{whole.lower, whole.upper - whole.lower};
+    const auto named = question.numbers.find("axis");
+    const int axis = named == question.numbers.end() ? 0 : named->second;
+    const Box box = box_of(boxes.back());
+    const int below = half_below(frame, axis, box.lower[axis]);
+    const int above = half_above(frame, axis, box.upper[axis]);
+    return {static_cast<std::uint32_t>(below), static_cast<std::uint32_t>(above),
+            bits(static_cast<double>(half_plane(frame, axis, below))),
+            bits(static_cast<double>(half_plane(frame, axis, above)))};
+}
+
 using AskBuilder = Found (*)(const Question&, std::span<const Ray>);
 
 AskBuilder builder_of(const std::string& subject) {
     static const std::map<std::string, AskBuilder> builders{{"grid_cells", grid_cells},
                                                             {"kd_plane", kd_plane},
                                                             {"bvh_median", bvh_median},
-                                                            {"bvh_binned", bvh_binned}};
+                                                            {"bvh_binned", bvh_binned},
+                                                            {"half_planes", half_planes}};
     const auto place = builders.find(subject);
     if (place == builders.end()) {
         throw InputError("no builder has the name " + subject +
-                         ". Take grid_cells, kd_plane, bvh_median or bvh_binned.");
+                         ". Take grid_cells, kd_plane, bvh_median, bvh_binned or half_planes.");
     }
     return place->second;
 }

@@ -17,15 +17,15 @@ using Json = nlohmann::json;
 constexpr std::uintmax_t most_bytes = 64U << 20U;
 
 QuestionKind kind_of(const std::string& name) {
-    static const std::map<std::string, QuestionKind> kinds{{"checkpoint", QuestionKind::checkpoint},
-                                                           {"rays", QuestionKind::rays},
-                                                           {"picture", QuestionKind::picture},
-                                                           {"difference", QuestionKind::difference},
-                                                           {"builder", QuestionKind::builder}};
+    static const std::map<std::string, QuestionKind> kinds{
+        {"checkpoint", QuestionKind::checkpoint}, {"rays", QuestionKind::rays},
+        {"picture", QuestionKind::picture},       {"difference", QuestionKind::difference},
+        {"builder", QuestionKind::builder},       {"function", QuestionKind::function}};
     const auto place = kinds.find(name);
     if (place == kinds.end()) {
         throw InputError("the kind `" + name +
-                         "` is not known. Take checkpoint, rays, picture, difference or builder.");
+                         "` is not known. Take checkpoint, rays, picture, difference, builder or "
+                         "function.");
     }
     return place->second;
 }

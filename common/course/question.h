@@ -19,6 +19,7 @@ enum class QuestionKind {
     picture,    // all passes of a picture
     difference, // two pictures that were made before
     builder,    // a builder of a structure, in C++
+    function,   // a function of a few numbers, in C++
 };
 
 // What `./course` wants to know of the shader parts and builders as they stand. Numbers that are
@@ -26,7 +27,8 @@ enum class QuestionKind {
 struct Question {
     QuestionKind kind = QuestionKind::checkpoint;
     std::string subject; // the checkpoint's file, `direct` or `interpolated`, the view of
-                         // the picture (`whitted`: with light), or the builder's name
+                         // the picture (`whitted`: with light), or the name of the builder
+                         // or the function
     std::string scene = "tetrahedron";
     std::string triangle = "watertight";
     std::string structure = "every_triangle";

@@ -211,6 +211,7 @@ Answer answer_by_shaders(const Question& question) {
     case QuestionKind::difference:
         return answer_difference(question);
     case QuestionKind::builder:
+    case QuestionKind::function:
         break;
     }
     throw InputError("this program answers questions about shaders. Ask course_builders.");

@@ -5,6 +5,7 @@
 #include "measure/built_families.h"
 #include "measure/walk_parts.h"
 #include "render/generate_rays.h"
+#include "report/measured_range.h"
 
 #include <algorithm>
 #include <chrono>
@@ -39,12 +40,15 @@ double seconds_to_trace(Contender& contender, const RayTextures& rays, Query que
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void summarize_rounds(RayCosts& costs, std::vector<double> seconds) {
-    std::sort(seconds.begin(), seconds.end());
-    const auto rate = [&](double time) { return static_cast<double>(costs.rays) / time / 1e6; };
-    costs.median = rate(seconds[seconds.size() / 2]);
-    costs.lowest = rate(seconds.back());
-    costs.highest = rate(seconds.front());
+void summarize_rounds(RayCosts& costs, const std::vector<double>& seconds) {
+    std::vector<double> rates;
+    for (const double time : seconds) {
+        rates.push_back(static_cast<double>(costs.rays) / time / 1e6);
+    }
+    const MeasuredRange range = measured_range(rates);
+    costs.median = range.median;
+    costs.lowest = range.lowest;
+    costs.highest = range.highest;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "measure/ray_kinds.h"
 
+#include "geometry/cosine_direction.h"
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
 #include "scene/random_numbers.h"
@@ -16,14 +17,13 @@ Ray from_mirror_ray(const Mirror::Ray& ray) {
     return {ray.origin, ray.direction, ray.t_min, ray.t_max};
 }
 
-// A normal plus a point on the unit sphere is a direction with the density of the cosine.
-glm::vec3 cosine_direction(RandomNumbers& numbers, const glm::vec3& normal) {
+// In the unit ball, but for its very middle: as likely in every direction.
+glm::vec3 point_in_ball(RandomNumbers& numbers) {
     glm::vec3 inside = numbers.in_cube();
     while (glm::dot(inside, inside) > 1.0f || glm::dot(inside, inside) < 1e-4f) {
         inside = numbers.in_cube();
     }
-    const glm::vec3 direction = normal + glm::normalize(inside);
-    return glm::dot(direction, direction) > 1e-4f ? direction : normal;
+    return inside;
 }
 
 } // namespace
@@ -51,7 +51,8 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
             }
         }
         reflection.rays.push_back(from_mirror_ray(mirror.mirror_ray(surface, incoming)));
-        bounce.rays.push_back({surface.origin, cosine_direction(numbers, surface.geometric_normal),
+        bounce.rays.push_back({surface.origin,
+                               cosine_direction(surface.geometric_normal, point_in_ball(numbers)),
                                0.0f, mirror.farthest});
     }
     std::vector<RayKind> kinds{{"primary", Query::closest, {primary.begin(), primary.end()}}};

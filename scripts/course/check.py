@@ -9,6 +9,7 @@ from .errors import CourseError, MachineError
 from .own import named_as_the_person_knows, overlay, read_own
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
+RAY_BY_RAY = ("checkpoint", "function")  # what asks each ray, or its eight numbers, by itself
 STATES = {"compile": "does not compile", "crash": "crashed", "time": "stopped", "machine": "failed"}
 
 @dataclass
@@ -36,7 +37,7 @@ def _asked(exercise, rays):
     checkpoints = [c for c in exercise.checkpoints if not _is_picture(c.question)]
     questions = [dict(checkpoint.question) for checkpoint in checkpoints]
     for question in questions if rays is not None else []:
-        if question["kind"] == "checkpoint":
+        if question["kind"] in RAY_BY_RAY:
             question.update(rays=rays, random_rays=0)
     return checkpoints, questions
 

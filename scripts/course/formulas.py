@@ -4,7 +4,8 @@ import re
 
 WORDS = {r"\times": "x", r"\cdot": ".", r"\ge": ">=", r"\le": "<=", r"\in": "in", r"\pm": "+-",
          r"\to": "->", r"\epsilon": "epsilon", r"\max": "max", r"\min": "min", r"\arg": "arg ",
-         r"\det": "det", r"\lfloor": "floor(", r"\rfloor": ")", r"\quad": "  ", r"\,": "", r"\ ": " "}
+         r"\det": "det", r"\log": "log", r"\lfloor": "floor(", r"\rfloor": ")", r"\quad": "  ",
+         r"\,": "", r"\ ": " "}
 
 
 def plain(formula):

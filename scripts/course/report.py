@@ -3,7 +3,7 @@
 import math
 import os
 
-from .check import FAILED, MISSING, NOT_STARTED, PASSED
+from .check import FAILED, MISSING, NOT_STARTED, PASSED, RAY_BY_RAY
 from .exercises import from_bits, ray_text
 from .view import wrong_ray
 
@@ -30,7 +30,7 @@ def _for_json(value):
 
 def replay(result):
     """The command that asks this ray alone; empty where there is none."""
-    is_ray = result.wrong and result.checkpoint.question["kind"] == "checkpoint"
+    is_ray = result.wrong and result.checkpoint.question["kind"] in RAY_BY_RAY
     return (f"./course check {result.exercise.number} --ray={ray_text(result.wrong.ray)}"
             if is_ray else "")
 

@@ -50,8 +50,16 @@ def _checkpoint_of_rays(exercise):
                  and words_of(checkpoint, exercise.chapter) is not None), None)
 
 
+def _never_shows(exercise):
+    return (f"{exercise.number} asks about no ray in a scene, so there is nothing to be seen. "
+            f"`./course check {exercise.number}` says which numbers are wrong.")
+
+
 def nothing_to_see(exercise):
     """What is said where nothing is wrong that could be shown."""
+    has_picture = any(c.question["kind"] == "picture" for c in exercise.checkpoints)
+    if _checkpoint_of_rays(exercise) is None and not has_picture:
+        return _never_shows(exercise)
     own = " --ray shows one of your own." if _checkpoint_of_rays(exercise) else ""
     return f"There is no wrong ray or pixel to look at.{own}"
 
@@ -60,8 +68,7 @@ def given_ray(exercise, ray):
     """The visualizer's words for a ray of one's own, in the first checkpoint that has a scene."""
     checkpoint = _checkpoint_of_rays(exercise)
     if checkpoint is None:
-        raise CourseError(f"{exercise.number} asks about no ray in a scene, so there is nothing to "
-                          f"be seen. `./course check {exercise.number}` says which numbers are wrong.")
+        raise CourseError(_never_shows(exercise))
     return [*words_of(checkpoint, exercise.chapter), f"--ray={ray_text(ray)}"]
 
 

@@ -28,12 +28,19 @@ Hit intersect_triangle(PreparedRay prepared, real3 a, real3 b, real3 c, int tria
     real3 p = a - ray.origin;
     real3 q = b - ray.origin;
     real3 r = c - ray.origin;
+    //# exercise 8.3: three volumes of one sign
     real share_a = edge_volume(r, q, ray.direction);
     real share_b = edge_volume(p, r, ray.direction);
     real share_c = edge_volume(q, p, ray.direction);
     precise real sum = share_a + share_b + share_c;
     bool none_negative = share_a >= zero && share_b >= zero && share_c >= zero;
     bool none_positive = share_a <= zero && share_b <= zero && share_c <= zero;
+    //# stub: real share_b = zero;
+    //# stub: real share_c = zero;
+    //# stub: real sum = zero;
+    //# stub: bool none_negative = false;
+    //# stub: bool none_positive = false;
+    //# end
 
     real3 normal = cross_product(q - p, r - p);
     precise real u = share_b / sum;

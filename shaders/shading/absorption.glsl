@@ -4,7 +4,10 @@
 
 // A clear medium keeps all, to the bit: pow(1, x) is not exactly 1 everywhere.
 real kept_of(real transmission, real distance) {
+    //# exercise 9.4: what a way through glass leaves
     return transmission == real(1.0f) ? real(1.0f) : pow(transmission, distance);
+    //# stub: return real(1.0f);
+    //# end
 }
 
 real3 transmitted(real3 transmission, real distance) {

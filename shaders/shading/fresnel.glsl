@@ -8,6 +8,7 @@ real reflected_part(real cosine, real index_before, real index_behind) {
     if (index_before == index_behind) {
         return real(0.0f);
     }
+    //# exercise 9.1: the part that is reflected
     precise real ratio = index_before / index_behind;
     precise real squared_sine_behind = ratio * ratio * (real(1.0f) - cosine * cosine);
     if (squared_sine_behind >= real(1.0f)) {
@@ -20,6 +21,8 @@ real reflected_part(real cosine, real index_before, real index_behind) {
                          (index_before * cosine_behind + index_behind * cosine);
     precise real part = real(0.5f) * (across * across + along * along);
     return part;
+    //# stub: return real(0.0f);
+    //# end
 }
 
 // The direction behind the surface; direction and normal have length 1, and the normal points
@@ -29,10 +32,13 @@ real3 refracted_direction(real3 direction, real3 normal, real index_before, real
     if (index_before == index_behind) {
         return direction;
     }
+    //# exercise 9.2: the refracted direction
     precise real cosine = -dot_product(direction, normal);
     precise real ratio = index_before / index_behind;
     precise real squared_sine_behind = ratio * ratio * (real(1.0f) - cosine * cosine);
     precise real cosine_behind = sqrt(max(real(0.0f), real(1.0f) - squared_sine_behind));
     precise real3 refracted = ratio * direction + (ratio * cosine - cosine_behind) * normal;
     return refracted;
+    //# stub: return direction;
+    //# end
 }

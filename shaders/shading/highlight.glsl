@@ -3,6 +3,7 @@
 
 real3 highlight(Surface surface, real3 direction, real3 light_position, real3 light_color,
                 Gloss gloss) {
+    //# exercise 9.5: a highlight
     real3 to_light = unit(light_position - surface.origin);
     real3 halfway = to_light - unit(direction);
     real cosine = dot_product(surface.normal, halfway) / sqrt(dot_product(halfway, halfway));
@@ -10,4 +11,6 @@ real3 highlight(Surface surface, real3 direction, real3 light_position, real3 li
         return real3(real(0.0f));
     }
     return pow(min(cosine, real(1.0f)), gloss.exponent) * gloss.color * light_color;
+    //# stub: return real3(real(0.0f));
+    //# end
 }

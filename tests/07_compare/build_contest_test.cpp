@@ -12,15 +12,10 @@ namespace {
 
 const Progress quiet = [](double) {};
 
-BuildContest of_numbers(const std::string& scene, std::vector<double> ours,
-                        std::vector<double> embrees) {
-    return {scene, 1000, std::move(ours), std::move(embrees), 1.004};
-}
-
 } // namespace
 
 TEST_CASE("the table of builds has the middle and the range and their ratio", "[07][builds]") {
-    const auto contest = of_numbers("ball", {300.0, 100.0, 200.0}, {500.0, 400.0, 300.0});
+    const BuildContest contest{"ball", 1000, {200.0, 100.0, 300.0}, {400.0, 300.0, 500.0}, 1.004};
     CHECK(to_csv({contest}) == "scene,triangles,nanoseconds_a_triangle,"
                                "embree_nanoseconds_a_triangle,ratio,cost_to_sweep\n"
                                "ball,1000,200,400,0.5,1.004\n");
@@ -49,10 +44,9 @@ TEST_CASE("bins cost a ray at most a fiftieth more than a full sweep", "[07][bui
     for (const char* name : {"bunny", "knot:4", "stadium:2", "soup"}) {
         CAPTURE(name);
         const BuildContest contest = contest_builds(load_scene(name, 1.0f), 1, quiet);
-        CHECK(contest.ours.size() == 1);
-        CHECK(contest.embrees.size() == 1);
-        CHECK(contest.ours.front() > 0.0);
-        CHECK(contest.embrees.front() > 0.0);
+        CHECK(contest.triangles > 1000);
+        CHECK(contest.ours.lowest > 0.0);
+        CHECK(contest.embrees.lowest > 0.0);
         CHECK(contest.cost_to_sweep > 0.98);
         CHECK(contest.cost_to_sweep <= 1.02);
     }

@@ -1,5 +1,6 @@
 """Marks in the sources, and what is derived from them."""
 
+import re
 import unittest
 
 from support import ROOT, CourseTest
@@ -70,8 +71,18 @@ class Exercises(CourseTest):
         for exercise in exercises.load():
             counts[exercise.chapter] = counts.get(exercise.chapter, 0) + 1
         self.assertEqual(list(counts), ["01_rays", "02_triangles", "03_shading", "04_grid",
-                                        "05_kd_tree", "06_bvh"])
+                                        "05_kd_tree", "06_bvh", "07_compare", "08_accuracy",
+                                        "09_effects"])
         self.assertTrue(all(3 <= count <= 6 for count in counts.values()), counts)
+
+    def test_every_lesson_names_its_exercises(self):
+        for chapter in {exercise.chapter for exercise in exercises.load()}:
+            lesson = (ROOT / "chapters" / chapter / "README.md").read_text()
+            section = re.search(r"^## Exercises\n(.*?)^## ", lesson, re.MULTILINE | re.DOTALL)
+            named = re.findall(r"^- (\d+\.\d+ .+)$", section[1], re.MULTILINE)
+            self.assertEqual(named, [f"{exercise.number} {exercise.title}"
+                                     for exercise in exercises.load()
+                                     if exercise.chapter == chapter], chapter)
 
     def test_a_workbook_with_every_solution_is_the_source_without_stubs(self):
         self.course("start")

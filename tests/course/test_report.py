@@ -29,7 +29,7 @@ class Questions(unittest.TestCase):
     def test_what_is_no_ray_in_a_scene_is_explained(self):
         for exercise in exercises.load():
             for checkpoint in exercise.checkpoints:
-                asks_numbers = checkpoint.question["kind"] == "checkpoint"
+                asks_numbers = checkpoint.question["kind"] in check.RAY_BY_RAY
                 if asks_numbers and view.words_of(checkpoint, exercise.chapter) is None:
                     self.assertTrue(checkpoint.given or checkpoint.where,
                                     f"{exercise.number} {checkpoint.name}")
@@ -38,6 +38,18 @@ class Questions(unittest.TestCase):
         table = {"name": "a", "kind": "checkpoint", "given": {"light": [7, 8]}}
         with self.assertRaisesRegex(exercises.CourseError, "0 to 7"):
             exercises._checkpoint(table, "here")
+
+
+class Functions(unittest.TestCase):
+    def test_the_numbers_of_a_function_have_their_names_and_can_be_asked_again(self):
+        exercise = exercises.select_one(exercises.load(), "7.3")
+        ray = exercises.ray_bits([1000, 5, 2000, 10, 4000, 20, 8000, 40])
+        printed = report.as_text(check.Result(exercise, check.FAILED,
+                                              checkpoint=exercise.checkpoints[0],
+                                              wrong=Wrong(0, 1, ray, [])))
+        self.assertIn("  triangles   1000, 2000, 4000, 8000 ", printed)
+        self.assertIn("  cost        5, 10, 20, 40 ", printed)
+        self.assertIn("./course check 7.3 --ray=1000,5,2000,10,4000,20,8000,40", printed)
 
 
 class Boxes(unittest.TestCase):

@@ -47,6 +47,13 @@ class Words(unittest.TestCase):
         self.assertEqual(view.wrong_ray(result), ["tetrahedron:1", "--structure", "every_triangle",
                                                   "--size", "64x48", "--pixel=33,11"])
 
+    def test_an_exercise_without_a_ray_in_a_scene_says_so(self):
+        for number in ("7.3", "8.2", "9.1"):
+            self.assertIn(f"{number} asks about no ray in a scene",
+                          view.nothing_to_see(exercises.select_one(exercises.load(), number)))
+        self.assertIn("There is no wrong ray or pixel",
+                      view.nothing_to_see(exercises.select_one(exercises.load(), "8.1")))
+
     def test_every_file_that_is_to_be_shown_is_there(self):
         shown = [(e.chapter, c.view[0]) for e in exercises.load() for c in e.checkpoints if c.view]
         self.assertGreaterEqual(len(shown), 6)

@@ -1,6 +1,13 @@
-// Answers the questions of a job by the builders as they stand (./course runs it).
+// Answers the questions of a job by the builders and other functions in C++ as they stand (./course
+// runs it).
 #include "course/answer_builders.h"
+#include "course/answer_functions.h"
+
+using namespace raysteps;
 
 int main(int argc, char** argv) {
-    return raysteps::answer_job(argc, argv, raysteps::answer_by_builders);
+    return answer_job(argc, argv, [](const Question& question) {
+        return question.kind == QuestionKind::function ? answer_by_functions(question)
+                                                       : answer_by_builders(question);
+    });
 }

@@ -1,4 +1,4 @@
-#include "compare/growth.h"
+#include "report/growth.h"
 
 #include "error/error.h"
 
@@ -7,13 +7,16 @@
 namespace raysteps {
 
 double growth_exponent(std::span<const GrowthPoint> points) {
-    const double count = static_cast<double>(points.size());
-    double mean_x = 0.0;
-    double mean_y = 0.0;
     for (const GrowthPoint& point : points) {
         if (!(point.triangles > 0.0 && point.cost > 0.0)) {
             throw InputError("a growth exponent needs numbers over 0. Leave out empty scenes.");
         }
+    }
+    //# exercise 7.3: how a cost grows
+    const double count = static_cast<double>(points.size());
+    double mean_x = 0.0;
+    double mean_y = 0.0;
+    for (const GrowthPoint& point : points) {
         mean_x += std::log(point.triangles) / count;
         mean_y += std::log(point.cost) / count;
     }
@@ -24,6 +27,9 @@ double growth_exponent(std::span<const GrowthPoint> points) {
         squares += x * x;
         products += x * (std::log(point.cost) - mean_y);
     }
+    //# stub: const double squares = 1.0;
+    //# stub: const double products = 0.0;
+    //# end
     // A sum of rounding errors is no spread: numbers of triangles are whole, and the logarithms of
     // two different ones below 2^31 lie 4e-10 apart.
     if (!(squares > 1e-20)) {

@@ -1,0 +1,13 @@
+// What a ray is inside of after it has left a body. Whole numbers are made of the ray's: the list
+// of the origin and the direction's x, and the body of its y.
+#include "layout/media.glsl"
+
+uint whole(real number) {
+    return uint(floor(abs(number)));
+}
+
+uvec4 checkpoint(Ray ray, int step) {
+    uvec4 media = uvec4(whole(ray.origin.x), whole(ray.origin.y), whole(ray.origin.z),
+                        whole(ray.direction.x));
+    return leave_medium(media, int(whole(ray.direction.y)));
+}

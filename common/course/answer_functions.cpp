@@ -1,0 +1,146 @@
+#include "course/answer_functions.h"
+
+#include "error/error.h"
+#include "geometry/cosine_direction.h"
+#include "report/growth.h"
+#include "report/measured_range.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace raysteps {
+
+namespace {
+
+using Numbers = std::array<double, 8>;
+
+std::uint32_t bits(double number) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+}
+
+Numbers numbers_of(const Ray& ray) {
+    return {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
+            ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
+}
+
+Ray random_numbers(std::mt19937& generator) {
+    std::array<float, 8> numbers{};
+    for (float& number : numbers) {
+        number = static_cast<float>(1 + generator() % 256) / 64.0f;
+    }
+    const auto [a, b, c, d, e, f, g, h] = numbers;
+    return {{a, b, c}, {d, e, f}, g, h};
+}
+
+// Of the first `numbers.rounds` numbers.
+Found range_of_rounds(const Question& question, const Ray& ray) {
+    const Numbers numbers = numbers_of(ray);
+    const std::vector<double> rounds(numbers.begin(),
+                                     numbers.begin() + question.numbers.at("rounds"));
+    const MeasuredRange range = measured_range(rounds);
+    return {bits(range.median), bits(range.lowest), bits(range.highest), 0};
+}
+
+// Three numbers from `first` on, in their order, as a range.
+MeasuredRange range_from(const Ray& ray, std::size_t first) {
+    const Numbers numbers = numbers_of(ray);
+    std::array<double, 3> three{numbers[first], numbers[first + 1], numbers[first + 2]};
+    std::sort(three.begin(), three.end());
+    return {.median = three[1], .lowest = three[0], .highest = three[2]};
+}
+
+// Of two ranges, both ways.
+Found surely_below(const Question& /*question*/, const Ray& ray) {
+    const MeasuredRange first = range_from(ray, 0);
+    const MeasuredRange second = range_from(ray, 3);
+    return {lies_below(first, second) ? 1U : 0U, lies_below(second, first) ? 1U : 0U, 0, 0};
+}
+
+// Of four pairs of a number of triangles and a cost; no number where the function refuses them.
+Found growth(const Question& /*question*/, const Ray& ray) {
+    const Numbers numbers = numbers_of(ray);
+    std::vector<GrowthPoint> points;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+        points.push_back({numbers[i], numbers[i + 1]});
+    }
+    try {
+        return {bits(growth_exponent(points)), 0, 0, 0};
+    } catch (const InputError&) {
+        return {bits(std::numeric_limits<double>::quiet_NaN()), 0, 0, 0};
+    }
+}
+
+Found bounce(const Question& /*question*/, const Ray& ray) {
+    const glm::vec3 direction = cosine_direction(glm::normalize(ray.origin), ray.direction);
+    return {std::bit_cast<std::uint32_t>(direction.x), std::bit_cast<std::uint32_t>(direction.y),
+            std::bit_cast<std::uint32_t>(direction.z), 0};
+}
+
+// Point i of a spiral over the sphere of radius 1/2, which a thousand of them cover evenly: each
+// has the same area, and turns by the golden angle. Source: Saff and Kuijlaars, "Distributing many
+// points on a sphere", 1997.
+constexpr int points_on_spiral = 1000;
+
+glm::vec3 point_on_spiral(int i) {
+    const double height = 1.0 - (2.0 * i + 1.0) / points_on_spiral;
+    const double radius = std::sqrt(1.0 - height * height);
+    const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+    return 0.5f * glm::vec3(radius * std::cos(angle), radius * std::sin(angle), height);
+}
+
+// The means of the cosine and of its square, over bounces that know nothing of each other.
+Found mean_bounce(const Question& /*question*/, const Ray& ray) {
+    const glm::vec3 normal = glm::normalize(ray.origin);
+    double cosines = 0.0;
+    double squares = 0.0;
+    for (int i = 0; i < points_on_spiral; ++i) {
+        const glm::vec3 direction = cosine_direction(normal, point_on_spiral(i));
+        const double cosine = static_cast<double>(glm::dot(glm::normalize(direction), normal));
+        cosines += cosine;
+        squares += cosine * cosine;
+    }
+    return {bits(cosines / points_on_spiral), bits(squares / points_on_spiral), 0, 0};
+}
+
+using AskFunction = Found (*)(const Question&, const Ray&);
+
+AskFunction function_of(const std::string& subject) {
+    static const std::map<std::string, AskFunction> functions{{"range_of_rounds", range_of_rounds},
+                                                              {"surely_below", surely_below},
+                                                              {"growth", growth},
+                                                              {"bounce", bounce},
+                                                              {"mean_bounce", mean_bounce}};
+    const auto place = functions.find(subject);
+    if (place == functions.end()) {
+        throw InputError("no function has the name " + subject +
+                         ". Take range_of_rounds, surely_below, growth, bounce or mean_bounce.");
+    }
+    return place->second;
+}
+
+} // namespace
+
+Answer answer_by_functions(const Question& question) {
+    const AskFunction ask = function_of(question.subject);
+    Answer answer{question.rays, {{}}};
+    std::mt19937 generator(static_cast<std::uint32_t>(question.seed));
+    for (int i = 0; i < question.random_rays; ++i) {
+        answer.rays.push_back(random_numbers(generator));
+    }
+    for (const Ray& ray : answer.rays) {
+        answer.steps.front().push_back(ask(question, ray));
+    }
+    return answer;
+}
+
+} // namespace raysteps
