@@ -1,6 +1,7 @@
 // The visualizer: what a structure looks like, and how a ray walks through it.
 #include "error/error.h"
 #include "visualizer/keys.h"
+#include "visualizer/pointing.h"
 #include "visualizer/request.h"
 #include "visualizer/show_view.h"
 #include "visualizer/stage.h"

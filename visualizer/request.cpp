@@ -8,15 +8,12 @@
 #include "replay/walk_recorder.h"
 #include "structure/build_choices.h"
 #include "structure/families.h"
+#include "visualizer/option_values.h"
 #include "visualizer/state_file.h"
-#include "visualizer/state_words.h"
 
 #include <CLI/CLI.hpp>
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <limits>
 
 namespace raysteps::view {
 
@@ -52,85 +49,6 @@ struct Written {
     bool help_sheet = false;
 };
 
-template <class Choice>
-std::string list_of(const std::vector<std::pair<std::string, Choice>>& words) {
-    std::string text;
-    for (const auto& [word, choice] : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
-template <class Choice>
-Choice choose(const std::string& option, const std::string& text,
-              const std::vector<std::pair<std::string, Choice>>& words) {
-    for (const auto& [word, choice] : words) {
-        if (word == text) {
-            return choice;
-        }
-    }
-    throw InputError("--" + option + " " + text + ": there is no such choice. Take one of " +
-                     list_of(words) + ".");
-}
-
-std::vector<float> numbers_of(const std::string& option, const std::string& text, std::size_t count,
-                              const std::string& form) {
-    const auto numbers = parse_numbers(text);
-    if (!numbers || numbers->size() != count) {
-        throw InputError("--" + option + " " + text + ": give " + form + ".");
-    }
-    return *numbers;
-}
-
-int whole_number(const std::string& option, const std::string& text, int lowest) {
-    const auto number = parse_number<int>(text);
-    if (!number || *number < lowest) {
-        throw InputError("--" + option + " " + text + ": give a whole number from " +
-                         std::to_string(lowest) + " on.");
-    }
-    return *number;
-}
-
-glm::ivec2 read_pixel(const std::string& text) {
-    const std::vector<std::string> words = split_words(text, ',');
-    const auto x = parse_number<int>(words.front());
-    const auto y = parse_number<int>(words.back());
-    if (words.size() != 2 || !x || !y) {
-        throw InputError("--pixel " + text +
-                         ": give a column and a row, as in 256,200; 0,0 is at the top left.");
-    }
-    return {*x, *y};
-}
-
-Ray read_ray(const std::string& text) {
-    const auto numbers = parse_numbers(text);
-    const bool has_range = numbers && numbers->size() == 8;
-    const std::vector<float> n =
-        has_range ? *numbers
-                  : numbers_of("ray", text, 6,
-                               "six numbers, the origin x,y,z and the direction x,y,z, or eight, "
-                               "with t_min and t_max");
-    Ray ray{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, 0.0f, std::numeric_limits<float>::max()};
-    if (has_range) {
-        ray.t_min = n[6];
-        ray.t_max = n[7];
-    }
-    if (ray.direction == glm::vec3(0.0f)) {
-        throw InputError("--ray " + text + ": the direction is 0,0,0. Give it a length.");
-    }
-    return ray;
-}
-
-ClipPlane read_clip(const std::string& text) {
-    const std::vector<float> n =
-        numbers_of("clip", text, 6, "six numbers, a point x,y,z of the plane and its normal x,y,z");
-    const glm::vec3 normal(n[3], n[4], n[5]);
-    if (normal == glm::vec3(0.0f)) {
-        throw InputError("--clip " + text + ": the normal is 0,0,0. Give it a length.");
-    }
-    return {{n[0], n[1], n[2]}, glm::normalize(normal)};
-}
-
 // `--structure kd --walk ropes` is kd_ropes.
 std::vector<std::string> structures_of(const Written& words) {
     std::vector<std::string> structures;
@@ -163,18 +81,6 @@ std::vector<std::string> structures_of(const Written& words) {
     }
     throw InputError("--walk " + words.walk + ": there is no such walk. Take one of " + names +
                      ".");
-}
-
-void read_levels(State& state, const std::string& text) {
-    const std::vector<std::string> words = split_words(text, '-');
-    if (words.size() > 2) {
-        throw InputError("--levels " + text + ": give a level, as in 3, or two, as in 2-5.");
-    }
-    state.lowest_level = whole_number("levels", words.front(), 0);
-    state.highest_level = whole_number("levels", words.back(), 0);
-    if (state.highest_level < state.lowest_level) {
-        throw InputError("--levels " + text + ": the first level is the lower one. Swap them.");
-    }
 }
 
 void add_options(CLI::App& app, Written& words, Request& request) {
@@ -292,7 +198,9 @@ void take_how_it_is_drawn(State& state, const Written& words) {
         state.color = CellColor::triangles; // all cells have one depth
     }
     if (!words.levels.empty()) {
-        read_levels(state, words.levels);
+        const Levels levels = read_levels(words.levels);
+        state.lowest_level = levels.lowest;
+        state.highest_level = levels.highest;
     }
     if (words.opacity >= 0.0) {
         state.opacity = std::min(words.opacity, 1.0);

@@ -9,6 +9,7 @@
 #include "structure/families.h"
 #include "structure/reach.h"
 #include "visualizer/hard_ray.h"
+#include "visualizer/structure_name.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,79 +17,6 @@
 namespace raysteps::view {
 
 namespace {
-
-// `bvh_ordered:split=median`: the structure and the values of its own.
-struct StructureName {
-    std::string structure;
-    std::map<std::string, std::string> values;
-};
-
-// Of a family, as in `kd`, the first of its walks.
-std::string walk_named(const std::string& name) {
-    const std::vector<std::string> names = recorded_structures();
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-        return name;
-    }
-    for (const std::string usual : {"bvh_ordered", "kd_ropes"}) {
-        if (usual.starts_with(name + "_")) {
-            return usual;
-        }
-    }
-    std::string all;
-    for (const std::string& known : names) {
-        all += (all.empty() ? "" : ", ") + known;
-    }
-    throw InputError("--structure " + name + ": there is no such structure. Take one of " + all +
-                     ".");
-}
-
-StructureName read_name(const std::string& text) {
-    const std::vector<std::string> words = split_words(text, ':');
-    StructureName name{walk_named(words.front()), {}};
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::size_t equals = words[i].find('=');
-        if (equals == std::string::npos) {
-            throw InputError("--structure " + text +
-                             ": an option of a structure is NAME=VALUE, as in "
-                             "bvh_ordered:split=median.");
-        }
-        name.values[words[i].substr(0, equals)] = words[i].substr(equals + 1);
-    }
-    return name;
-}
-
-// Values for all panes are handed to those builders that have such an option.
-std::map<std::string, std::string> values_for(const StructureName& name, const State& state) {
-    check_build_values(name.values, {{name.structure}});
-    std::map<std::string, std::string> values = name.values;
-    for (const BuildOption& option : family_of(name.structure).options) {
-        const auto given = state.build_values.find(option.name);
-        if (given != state.build_values.end()) {
-            values.try_emplace(option.name, given->second);
-        }
-    }
-    return values;
-}
-
-double number_in(const std::string& text, double otherwise) {
-    return parse_number<double>(text).value_or(otherwise);
-}
-
-// The costs that the builder reckoned with; of one that does not, those of CellCosts.
-CellCosts costs_of(const StructureFamily& family,
-                   const std::map<std::string, std::string>& values) {
-    CellCosts costs;
-    for (const BuildOption& option : family.options) {
-        const auto given = values.find(option.name);
-        const std::string text = given == values.end() ? option.initial : given->second;
-        if (option.name == "traversal-cost") {
-            costs.traversal = number_in(text, costs.traversal);
-        } else if (option.name == "intersection-cost") {
-            costs.intersection = number_in(text, costs.intersection);
-        }
-    }
-    return costs;
-}
 
 bool same_camera(const std::optional<Camera>& a, const std::optional<Camera>& b) {
     if (!a || !b) {
@@ -141,13 +69,13 @@ void Stage::build(const State& state) {
     check_build_values(state.build_values, [&] {
         std::vector<std::string> names;
         for (const std::string& text : state.structures) {
-            names.push_back(read_name(text).structure);
+            names.push_back(read_structure_name(text).structure);
         }
         return names;
     }());
     std::vector<std::unique_ptr<Pane>> panes;
     for (const std::string& text : state.structures) {
-        const StructureName name = read_name(text);
+        const StructureName name = read_structure_name(text);
         auto pane = std::make_unique<Pane>();
         pane->label = text;
         pane->structure = name.structure;

@@ -52,11 +52,11 @@ void plot_resolution(const Command& command, const Scene& scene) {
         const RayCosts& primary = costs.front().kinds.front();
         visits.points.push_back({static_cast<double>(resolution), primary.visits_a_ray});
         tests.points.push_back({static_cast<double>(resolution), primary.tests_a_ray});
-        time.points.push_back({static_cast<double>(resolution), 1000.0 / primary.median});
+        time.points.push_back({static_cast<double>(resolution), 1000.0 / primary.rate.median});
         numbers.push_back({{"resolution", resolution},
                            {"visits_a_ray", primary.visits_a_ray},
                            {"tests_a_ray", primary.tests_a_ray},
-                           {"nanoseconds_a_ray", 1000.0 / primary.median}});
+                           {"nanoseconds_a_ray", 1000.0 / primary.rate.median}});
     }
     progress(1.0);
     const std::filesystem::path path = command.out / (picture_name(command) + "_resolution.png");

@@ -21,10 +21,10 @@ void run_builds(const Command& command, const Comparison& comparison) {
         Command own = command;
         own.scene = name;
         const Scene scene = open_scene(own);
-        contests.push_back(
-            contest_builds(scene, comparison.rounds, show_progress("building " + name)));
+        contests.push_back(contest_builds(scene, {.values = command.build_values},
+                                          comparison.rounds, show_progress("building " + name)));
     }
-    std::cout << "A BVH by --split binned and by " << embree_name()
+    std::cout << "A BVH by our builder and by " << embree_name()
               << ", one thread each: time of the processor in the middle of " << comparison.rounds
               << " rounds, and its range\n"
               << to_table(contests)

@@ -10,7 +10,6 @@
 #include "report/measured_range.h"
 #include "scene/load_scene.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>

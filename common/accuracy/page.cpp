@@ -2,21 +2,14 @@
 
 #include "accuracy/page_plots.h"
 #include "report/base64.h"
+#include "report/formatted.h"
 #include "report/scatter_plot.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace raysteps {
 
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 const char* const style = R"(<style>
 body { font: 16px/1.5 "DejaVu Sans", Verdana, sans-serif; margin: 2em auto; max-width: 66em;
@@ -66,9 +59,9 @@ std::string advice_table(const std::vector<Advice>& advice) {
 std::string fault_cells(const Findings& findings, std::size_t columns) {
     std::string html;
     for (const Fault& fault : findings.faults) {
-        html += format("<td class='%s'>", fault.count == 0 ? "good" : "bad") +
+        html += formatted("<td class='%s'>", fault.count == 0 ? "good" : "bad") +
                 escaped(to_string(fault_rate(fault.count, fault.of))) +
-                format("</td><td>%zu of %zu</td>", fault.count, fault.of);
+                formatted("</td><td>%zu of %zu</td>", fault.count, fault.of);
     }
     for (std::size_t i = findings.faults.size(); i < columns; ++i) {
         html += "<td></td><td></td>";
@@ -93,20 +86,20 @@ std::vector<std::string> fault_names(const KnobResult& result, const std::string
 std::string measures_cell(const Findings& findings) {
     std::string text;
     for (const Measure& measure : findings.measures) {
-        text += (text.empty() ? "" : ", ") + measure.name + format(" %.5g", measure.value);
+        text += (text.empty() ? "" : ", ") + measure.name + formatted(" %.5g", measure.value);
     }
     return "<td class='left'>" + escaped(text) + "</td>";
 }
 
 std::string measurement_row(const KnobResult& result, const Measurement& one, std::size_t columns) {
     std::string html = "<tr><td>" + escaped(one.method) + "</td>" +
-                       format("<td>%.4g</td><td>%.4g to %.4g</td>", one.cost.median,
-                              one.cost.lowest, one.cost.highest) +
+                       formatted("<td>%.4g</td><td>%.4g to %.4g</td>", one.cost.median,
+                                 one.cost.lowest, one.cost.highest) +
                        fault_cells(one.findings, columns);
     if (!result.unit_of_error.empty()) {
         const auto& error = one.findings.error;
-        html += error ? format("<td>%.3g</td><td>%.3g</td><td>%.3g</td>", error->median,
-                               error->percentile_99, error->largest)
+        html += error ? formatted("<td>%.3g</td><td>%.3g</td><td>%.3g</td>", error->median,
+                                  error->percentile_99, error->largest)
                       : "<td></td><td></td><td></td>";
     }
     return html + measures_cell(one.findings) + "</tr>\n";

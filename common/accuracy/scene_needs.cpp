@@ -1,6 +1,7 @@
 #include "accuracy/scene_needs.h"
 
 #include "geometry/box.h"
+#include "report/formatted.h"
 
 #include <glm/geometric.hpp>
 
@@ -9,7 +10,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 
 namespace raysteps {
@@ -21,13 +21,6 @@ constexpr double fixed_epsilon = 1e-4;
 constexpr double sliver_ratio = 1000.0;
 constexpr double float_digits = 24.0;
 constexpr double digits_enough = 10.0; // a thousand steps along the smallest edge
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 // The bits of a corner, with one zero.
 using CornerBits = std::array<std::uint32_t, 3>;
@@ -79,9 +72,9 @@ std::string closed_sentence(const SceneNeeds& needs) {
         return "The mesh is closed: a ray that slips between two triangles is a visible fault, so "
                "take a watertight test.";
     }
-    return format("The mesh is open: %d edges have no partner (holes, borders, or corners that "
-                  "differ in a bit). At all others a watertight test still closes every gap.",
-                  needs.open_edges);
+    return formatted("The mesh is open: %d edges have no partner (holes, borders, or corners that "
+                     "differ in a bit). At all others a watertight test still closes every gap.",
+                     needs.open_edges);
 }
 
 } // namespace
@@ -119,30 +112,32 @@ std::vector<std::string> to_sentences(const SceneNeeds& needs) {
         return {"The scene has no triangle, so any method will do."};
     }
     std::vector<std::string> sentences{
-        format("%d triangles; smallest edge %.3g, largest coordinate %.4g, size %.4g.",
-               needs.triangles, needs.smallest_edge, needs.largest_coordinate, needs.size),
+        formatted("%d triangles; smallest edge %.3g, largest coordinate %.4g, size %.4g.",
+                  needs.triangles, needs.smallest_edge, needs.largest_coordinate, needs.size),
         closed_sentence(needs)};
     sentences.push_back(
         needs.digits_left < digits_enough
-            ? format("Beside the largest coordinate, a float has %.1f bits left for the smallest "
-                     "edge: no test can mend that. Move the scene to the origin, or split it.",
-                     needs.digits_left)
-            : format("Beside the largest coordinate, a float has %.1f bits left for the smallest "
-                     "edge: enough.",
-                     needs.digits_left));
+            ? formatted(
+                  "Beside the largest coordinate, a float has %.1f bits left for the smallest "
+                  "edge: no test can mend that. Move the scene to the origin, or split it.",
+                  needs.digits_left)
+            : formatted(
+                  "Beside the largest coordinate, a float has %.1f bits left for the smallest "
+                  "edge: enough.",
+                  needs.digits_left));
     sentences.push_back(
         needs.slivers > 0
-            ? format("%d slivers, the thinnest 1 : %.0f: take exact areas, since rounded ones "
-                     "leave t open along a sliver.",
-                     needs.slivers, needs.thinnest)
-            : format("No slivers (the thinnest triangle is 1 : %.0f): rounded areas will do.",
-                     needs.thinnest));
+            ? formatted("%d slivers, the thinnest 1 : %.0f: take exact areas, since rounded ones "
+                        "leave t open along a sliver.",
+                        needs.slivers, needs.thinnest)
+            : formatted("No slivers (the thinnest triangle is 1 : %.0f): rounded areas will do.",
+                        needs.thinnest));
     sentences.push_back(
-        format("The paper's fixed 1e-6 loses %d triangles (%.3g %%), whose edges span less than "
-               "that, even where a ray with a direction of length 1 meets them head on.",
-               needs.small_for_the_paper, 100.0 * needs.small_for_the_paper / needs.triangles));
+        formatted("The paper's fixed 1e-6 loses %d triangles (%.3g %%), whose edges span less than "
+                  "that, even where a ray with a direction of length 1 meets them head on.",
+                  needs.small_for_the_paper, 100.0 * needs.small_for_the_paper / needs.triangles));
     if (needs.size > 0.0) {
-        sentences.push_back(format(
+        sentences.push_back(formatted(
             "A fixed offset of 1e-4 is %.3g %% of the size, and %.3g of the "
             "smallest edge: %s.",
             100.0 * fixed_epsilon / needs.size, fixed_epsilon / needs.smallest_edge,
@@ -151,7 +146,7 @@ std::vector<std::string> to_sentences(const SceneNeeds& needs) {
     }
     if (needs.without_area > 0) {
         sentences.push_back(
-            format("%d triangles have no area: no test hits them.", needs.without_area));
+            formatted("%d triangles have no area: no test hits them.", needs.without_area));
     }
     return sentences;
 }

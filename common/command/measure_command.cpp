@@ -21,9 +21,9 @@ nlohmann::ordered_json numbers_of(const StructureCosts& costs) {
                          {"rays", kind.rays},
                          {"visits_a_ray", kind.visits_a_ray},
                          {"tests_a_ray", kind.tests_a_ray},
-                         {"million_rays_a_second", kind.median},
-                         {"lowest", kind.lowest},
-                         {"highest", kind.highest}});
+                         {"million_rays_a_second", kind.rate.median},
+                         {"lowest", kind.rate.lowest},
+                         {"highest", kind.rate.highest}});
     }
     return {{"structure", costs.structure}, {"facts", facts}, {"rays", kinds}};
 }

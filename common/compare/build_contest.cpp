@@ -3,25 +3,15 @@
 #include "compare/stopwatch.h"
 #include "embree/embree_builder.h"
 #include "error/error.h"
+#include "report/csv_field.h"
+#include "report/formatted.h"
 #include "structure/build_bvh.h"
+#include "structure/family_bvh.h"
 #include "structure/measure_bvh.h"
-
-#include <array>
-#include <cstdio>
 
 namespace raysteps {
 
 namespace {
-
-// As ./run.sh 06 builds it, on one thread.
-BvhOptions options_of(BvhSplit split) {
-    BvhOptions options;
-    options.split = split;
-    options.leaf_triangles = 7;
-    options.traversal_cost = 3.0;
-    options.threads = 1;
-    return options;
-}
 
 std::vector<Box> boxes_of(std::span<const glm::vec3> corners) {
     std::vector<Box> boxes;
@@ -31,20 +21,12 @@ std::vector<Box> boxes_of(std::span<const glm::vec3> corners) {
     return boxes;
 }
 
-double cost_of(const Scene& scene, BvhSplit split) {
-    const BvhOptions options = options_of(split);
+double cost_of(const Scene& scene, const BvhOptions& options) {
     return measure_bvh(build_bvh(scene.corners, options), options).cost;
 }
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), pattern, values...);
-    return line.data();
-}
-
 std::string to_words(const MeasuredRange& range) {
-    return format("%5.0f (%.0f-%.0f)", range.median, range.lowest, range.highest);
+    return formatted("%5.0f (%.0f-%.0f)", range.median, range.lowest, range.highest);
 }
 
 double ratio_of(const BuildContest& contest) {
@@ -53,13 +35,15 @@ double ratio_of(const BuildContest& contest) {
 
 } // namespace
 
-BuildContest contest_builds(const Scene& scene, int rounds, const Progress& progress) {
+BuildContest contest_builds(const Scene& scene, const BuildRequest& request, int rounds,
+                            const Progress& progress) {
     const std::size_t triangles = scene.corners.size() / 3;
     if (triangles == 0) {
         throw InputError(scene.name + " has no triangle, so there is nothing to build. Take "
                                       "another scene.");
     }
-    const BvhOptions options = options_of(BvhSplit::binned);
+    BvhOptions options = bvh_options_of(request);
+    options.threads = 1;
     EmbreeBuilder embree(boxes_of(scene.corners), {options.leaf_triangles, options.traversal_cost,
                                                    options.intersection_cost});
     const double nanoseconds = 1e9 / static_cast<double>(triangles);
@@ -75,19 +59,21 @@ BuildContest contest_builds(const Scene& scene, int rounds, const Progress& prog
             embrees.push_back(embrees_own * nanoseconds);
         }
     }
-    const double cost = cost_of(scene, BvhSplit::binned) / cost_of(scene, BvhSplit::sweep);
+    BvhOptions sweep = options;
+    sweep.split = BvhSplit::sweep;
+    const double cost = cost_of(scene, options) / cost_of(scene, sweep);
     progress(1.0);
     return {scene.name, triangles, measured_range(ours), measured_range(embrees), cost};
 }
 
 std::string to_table(const std::vector<BuildContest>& contests) {
-    std::string table = format("%-16s %10s %20s %20s %6s %8s\n", "scene", "triangles",
-                               "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
+    std::string table = formatted("%-16s %10s %20s %20s %6s %8s\n", "scene", "triangles",
+                                  "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
     for (const BuildContest& contest : contests) {
         table +=
-            format("%-16s %10zu %20s %20s %6.2f %8.4f\n", contest.scene.c_str(), contest.triangles,
-                   to_words(contest.ours).c_str(), to_words(contest.embrees).c_str(),
-                   ratio_of(contest), contest.cost_to_sweep);
+            formatted("%-16s %10zu %20s %20s %6.2f %8.4f\n", contest.scene.c_str(),
+                      contest.triangles, to_words(contest.ours).c_str(),
+                      to_words(contest.embrees).c_str(), ratio_of(contest), contest.cost_to_sweep);
     }
     return table;
 }
@@ -96,9 +82,9 @@ std::string to_csv(const std::vector<BuildContest>& contests) {
     std::string csv = "scene,triangles,nanoseconds_a_triangle,embree_nanoseconds_a_triangle,"
                       "ratio,cost_to_sweep\n";
     for (const BuildContest& contest : contests) {
-        csv += format("%s,%zu,%.9g,%.9g,%.9g,%.9g\n", contest.scene.c_str(), contest.triangles,
-                      contest.ours.median, contest.embrees.median, ratio_of(contest),
-                      contest.cost_to_sweep);
+        csv += csv_field(contest.scene) + formatted(",%zu,%.9g,%.9g,%.9g,%.9g\n", contest.triangles,
+                                                    contest.ours.median, contest.embrees.median,
+                                                    ratio_of(contest), contest.cost_to_sweep);
     }
     return csv;
 }

@@ -3,6 +3,7 @@
 #include "render/trace_rays.h"
 #include "report/measured_range.h"
 #include "scene/scene.h"
+#include "structure/structure_family.h"
 
 #include <string>
 #include <vector>
@@ -18,10 +19,12 @@ struct BuildContest {
     double cost_to_sweep = 0.0; // our tree's expected cost as a multiple of a full sweep's
 };
 
-// Builds the scene's tree by `--split binned` and by Embree's rtcBuildBVH at medium quality in
-// turn, each on one thread, for leaves as large and the same costs; after a round that is not
-// counted. Throws MachineError where Embree is missing, and InputError where there is no triangle.
-BuildContest contest_builds(const Scene& scene, int rounds, const Progress& progress);
+// Builds the scene's tree with the options of the request and by Embree's rtcBuildBVH at medium
+// quality in turn, each on one thread, for leaves as large and the same costs; after a round that
+// is not counted. Throws MachineError where Embree is missing, and InputError where there is no
+// triangle or an option makes no sense.
+BuildContest contest_builds(const Scene& scene, const BuildRequest& request, int rounds,
+                            const Progress& progress);
 
 // For people, with the middle, the least and the greatest of the rounds; and for programs.
 std::string to_table(const std::vector<BuildContest>& contests);

@@ -1,29 +1,11 @@
 #include "compare/tables.h"
 
-#include <cstdio>
+#include "report/csv_field.h"
+#include "report/formatted.h"
 
 namespace raysteps {
 
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
-// A name that may hold commas or quotes, as RFC 4180 wants it.
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
-        return text;
-    }
-    std::string field = "\"";
-    for (const char letter : text) {
-        field += letter == '"' ? "\"\"" : std::string(1, letter);
-    }
-    return field + "\"";
-}
 
 const ContestBuild& build_of(const SceneResult& result, const std::string& contender) {
     static const ContestBuild unknown{};
@@ -38,12 +20,12 @@ const ContestBuild& build_of(const SceneResult& result, const std::string& conte
 } // namespace
 
 std::string to_table(const SceneResult& result) {
-    std::string table = format("\n%s, %d triangle%s\n", result.scene.c_str(), result.triangles,
-                               result.triangles == 1 ? "" : "s");
+    std::string table = formatted("\n%s, %d triangle%s\n", result.scene.c_str(), result.triangles,
+                                  result.triangles == 1 ? "" : "s");
     table += "contender             build s    MB\n";
     for (const ContestBuild& build : result.builds) {
-        table += format("%-21s %7.3f %5.1f\n", build.contender.c_str(),
-                        fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
+        table += formatted("%-21s %7.3f %5.1f\n", build.contender.c_str(),
+                           fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
     }
     table += "contender             rays             visits    tests  Mrays/s (range)          "
              "cores  other answers\n";
@@ -51,13 +33,13 @@ std::string to_table(const SceneResult& result) {
     for (const ContestRow& row : result.rows) {
         const bool sampled = row.rays < row.all_rays;
         any_sampled = any_sampled || sampled;
-        const std::string counts = is_embree(row.contender)
-                                       ? "       -        -"
-                                       : format("%8.1f %8.2f", row.visits_a_ray, row.tests_a_ray);
-        table += format("%-21s %-10s %7zu%s %s  %-7.3g (%.3g to %.3g)%*s%5.2f  %zu\n",
-                        row.contender.c_str(), row.kind.c_str(), row.rays, sampled ? "*" : " ",
-                        counts.c_str(), row.rate.median, row.rate.lowest, row.rate.highest, 2, "",
-                        row.cores, row.different);
+        const std::string counts =
+            is_embree(row.contender) ? "       -        -"
+                                     : formatted("%8.1f %8.2f", row.visits_a_ray, row.tests_a_ray);
+        table += formatted("%-21s %-10s %7zu%s %s  %-7.3g (%.3g to %.3g)%*s%5.2f  %zu\n",
+                           row.contender.c_str(), row.kind.c_str(), row.rays, sampled ? "*" : " ",
+                           counts.c_str(), row.rate.median, row.rate.lowest, row.rate.highest, 2,
+                           "", row.cores, row.different);
     }
     if (any_sampled) {
         table += "* too slow for all rays in the time there is: runs of 64, from all over.\n";
@@ -73,12 +55,12 @@ std::string to_csv(std::span<const SceneResult> results) {
         for (const ContestRow& row : result.rows) {
             const ContestBuild& build = build_of(result, row.contender);
             csv += csv_field(result.scene) +
-                   format(",%d,%s,%s,%zu,%zu,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.12g,%zu\n",
-                          result.triangles, row.contender.c_str(), row.kind.c_str(), row.rays,
-                          row.all_rays, row.visits_a_ray, row.tests_a_ray, row.rate.median,
-                          row.rate.lowest, row.rate.highest, row.cores,
-                          fact_of(build, "build_seconds"), fact_of(build, "memory_bytes"),
-                          row.different);
+                   formatted(",%d,%s,%s,%zu,%zu,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.12g,%zu\n",
+                             result.triangles, row.contender.c_str(), row.kind.c_str(), row.rays,
+                             row.all_rays, row.visits_a_ray, row.tests_a_ray, row.rate.median,
+                             row.rate.lowest, row.rate.highest, row.cores,
+                             fact_of(build, "build_seconds"), fact_of(build, "memory_bytes"),
+                             row.different);
         }
     }
     return csv;
@@ -89,8 +71,9 @@ std::string to_table(std::span<const ClaimResult> claims) {
     for (const ClaimResult& claim : claims) {
         table += "\"" + claim.claim + "\", " + claim.kind + ": " + to_words(claim.verdict) + "\n";
         for (const ClaimCase& one : claim.cases) {
-            table += format("    %-16s %-15s ", one.scene.c_str(), to_words(one.verdict).c_str()) +
-                     one.numbers + "\n";
+            table +=
+                formatted("    %-16s %-15s ", one.scene.c_str(), to_words(one.verdict).c_str()) +
+                one.numbers + "\n";
         }
     }
     return table;

@@ -5,7 +5,6 @@
 #include "measure/built_families.h"
 #include "measure/walk_parts.h"
 #include "render/generate_rays.h"
-#include "report/measured_range.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,10 +44,7 @@ void summarize_rounds(RayCosts& costs, const std::vector<double>& seconds) {
     for (const double time : seconds) {
         rates.push_back(static_cast<double>(costs.rays) / time / 1e6);
     }
-    const MeasuredRange range = measured_range(rates);
-    costs.median = range.median;
-    costs.lowest = range.lowest;
-    costs.highest = range.highest;
+    costs.rate = measured_range(rates);
 }
 
 } // namespace
@@ -122,7 +118,7 @@ std::string to_table(std::span<const StructureCosts> costs) {
             char line[160];
             std::snprintf(line, sizeof line, "%-16s %-10s %11.2f %10.2f  %.3g (%.3g to %.3g)\n",
                           structure.structure.c_str(), kind.kind.c_str(), kind.visits_a_ray,
-                          kind.tests_a_ray, kind.median, kind.lowest, kind.highest);
+                          kind.tests_a_ray, kind.rate.median, kind.rate.lowest, kind.rate.highest);
             table += line;
         }
     }

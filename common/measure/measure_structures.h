@@ -2,6 +2,7 @@
 
 #include "gpu/limits.h"
 #include "render/trace_rays.h"
+#include "report/measured_range.h"
 #include "scene/scene.h"
 #include "structure/structure_family.h"
 
@@ -16,9 +17,7 @@ struct RayCosts {
     std::size_t rays = 0;
     double visits_a_ray = 0.0; // of cells or nodes
     double tests_a_ray = 0.0;  // of triangles
-    double median = 0.0;       // million rays a second, of the rounds measured
-    double lowest = 0.0;
-    double highest = 0.0;
+    MeasuredRange rate;        // million rays a second
 };
 
 struct StructureCosts {

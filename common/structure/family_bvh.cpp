@@ -1,8 +1,9 @@
+#include "structure/family_bvh.h"
+
 #include "structure/build_bvh.h"
 #include "structure/build_values.h"
 #include "structure/bvh_pack.h"
 #include "structure/measure_bvh.h"
-#include "structure/structure_family.h"
 
 #include <chrono>
 #include <string>
@@ -30,7 +31,38 @@ const std::vector<BuildOption>& options() {
     return all;
 }
 
-BvhOptions options_of(const BuildRequest& request) {
+std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t packed_bytes,
+                           std::size_t triangles, double seconds) {
+    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
+    const auto leaves = static_cast<double>(measures.leaves);
+    return {{"build_seconds", seconds},
+            {"memory_bytes", static_cast<double>(packed_bytes)},
+            {"tree_bytes", static_cast<double>(measures.bytes)}, // without the walks' copies
+            {"nodes", static_cast<double>(measures.nodes)},
+            {"leaves", leaves},
+            {"depth", static_cast<double>(measures.depth)},
+            {"references", references},
+            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
+            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
+            {"longest_leaf", static_cast<double>(measures.longest_leaf)},
+            {"expected_cost", measures.cost}};
+}
+
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const BvhOptions chosen = bvh_options_of(request);
+    const auto start = std::chrono::steady_clock::now();
+    const Bvh bvh = build_bvh(corners, chosen);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh(bvh, chosen), bytes_of(built.packed), corners.size() / 3,
+                           seconds.count());
+    return built;
+}
+
+} // namespace
+
+BvhOptions bvh_options_of(const BuildRequest& request) {
     const BuildValues values{options(), request};
     BvhOptions chosen;
     chosen.split = choice_of<BvhSplit>(values, "split",
@@ -51,37 +83,6 @@ BvhOptions options_of(const BuildRequest& request) {
     chosen.reach = static_cast<double>(request.reach);
     return chosen;
 }
-
-std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t packed_bytes,
-                           std::size_t triangles, double seconds) {
-    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
-    const auto leaves = static_cast<double>(measures.leaves);
-    return {{"build_seconds", seconds},
-            {"memory_bytes", static_cast<double>(packed_bytes)},
-            {"tree_bytes", static_cast<double>(measures.bytes)}, // without the walks' copies
-            {"nodes", static_cast<double>(measures.nodes)},
-            {"leaves", leaves},
-            {"depth", static_cast<double>(measures.depth)},
-            {"references", references},
-            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
-            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
-            {"longest_leaf", static_cast<double>(measures.longest_leaf)},
-            {"expected_cost", measures.cost}};
-}
-
-BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    const BvhOptions chosen = options_of(request);
-    const auto start = std::chrono::steady_clock::now();
-    const Bvh bvh = build_bvh(corners, chosen);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    BuiltStructure built;
-    built.packed = pack(bvh, corners);
-    built.facts = facts_of(measure_bvh(bvh, chosen), bytes_of(built.packed), corners.size() / 3,
-                           seconds.count());
-    return built;
-}
-
-} // namespace
 
 // Serves structure/bvh_skip.glsl, bvh_skip_padded.glsl, bvh_ordered.glsl, bvh_parent.glsl and
 // bvh_stack.glsl.

@@ -1,10 +1,8 @@
 #include "structure/bvh_pack.h"
+#include "structure/family_bvh.h"
 #include "structure/half_bvh.h"
-#include "structure/structure_family.h"
 
 namespace raysteps {
-
-StructureFamily family_bvh(); // defined in family_bvh.cpp
 
 // Serves structure/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer bits.
 StructureFamily family_half_bvh() {

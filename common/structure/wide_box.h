@@ -49,12 +49,9 @@ inline FourFloats doubled_center(const WideBox& box) {
     return box.lower + box.upper;
 }
 
-// The surface of a box that is not empty: see surface_area.
+// The surface of a box that is not empty.
 inline double surface_area(const WideBox& box) {
-    const double x = static_cast<double>(box.upper[0]) - static_cast<double>(box.lower[0]);
-    const double y = static_cast<double>(box.upper[1]) - static_cast<double>(box.lower[1]);
-    const double z = static_cast<double>(box.upper[2]) - static_cast<double>(box.lower[2]);
-    return 2.0 * (x * y + y * z + z * x);
+    return surface_between(box.lower, box.upper);
 }
 
 } // namespace raysteps

@@ -1,11 +1,10 @@
 #include "effects/effects_renderer.h"
-#include "hard_cases/surfaces.h"
+#include "hard_cases/ray_families.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
 #include "reference/clear_surface.h"
 #include "scene/pack_glass.h"
 #include "scene/shapes.h"
-#include "structure/families.h"
 #include "trials/checks.h"
 
 #include <glm/geometric.hpp>
@@ -124,11 +123,12 @@ Mirror::Ray downward_ray(RandomNumbers& numbers, double degrees) {
             no_end};
 }
 
-// How far off a ray's own direction may be behind the glass. A surface takes the cosine behind it
-// from a square root: of the angle under which the ray is outside, a rounding of 2^-24 becomes
-// 2^-24 / cosine. There are fewer than eight roundings at each of up to four surfaces.
+// How far off a ray's own direction may be behind the glass. Up to 60 degrees it is a millionth,
+// which the case asks for. A surface takes the cosine behind it from a square root, which makes
+// 2^-24 / cosine of a rounding of 2^-24; there are fewer than eight roundings at each of two
+// surfaces, and that is the room for rays that graze.
 double room_at(double degrees) {
-    return 32.0 * 0x1p-24 / std::cos(glm::radians(degrees));
+    return degrees <= 60.0 ? 1e-6 : 16.0 * 0x1p-24 / std::cos(glm::radians(degrees));
 }
 
 TrialRow parallel_row(const std::string& method, const Scene& scene, double least, double most,
@@ -149,7 +149,9 @@ TrialRow parallel_row(const std::string& method, const Scene& scene, double leas
     return promised_row(method, "C++", "the ray's own direction behind", wrong, tried);
 }
 
-// A sky whose light is the height of the direction tells the direction behind the slab.
+// A sky whose light is the height of the direction tells the direction behind the slab. The height
+// is off by a millionth as above, over a cosine of 0.57 at least; what two surfaces let through, by
+// a dozen roundings each: together by less than 2e-6 + 24 * 2^-24 of itself.
 TrialRow sky_behind_row(GpuMethods& gpu) {
     std::size_t wrong = 0;
     std::size_t tried = 0;
@@ -167,7 +169,10 @@ TrialRow sky_behind_row(GpuMethods& gpu) {
         const double light =
             static_cast<double>(glass_picture(scene, 1, quality, gpu).pixels.front().x);
         const double through = 1.0 - fresnel_by_angle(angle, 1.0, 1.5);
-        wrong += std::abs(light / (std::cos(angle) * through * through) - 1.0) <= 1e-5 ? 0 : 1;
+        wrong +=
+            std::abs(light / (std::cos(angle) * through * through) - 1.0) <= 2e-6 + 24.0 * 0x1p-24
+                ? 0
+                : 1;
         ++tried;
     }
     return promised_row("a slab before a sky", "GPU", "the light of that height", wrong, tried);

@@ -43,7 +43,7 @@ TEST_CASE("Embree's tree holds every triangle in leaves no larger than asked", "
 TEST_CASE("bins cost a ray at most a fiftieth more than a full sweep", "[07][builds]") {
     for (const char* name : {"bunny", "knot:4", "stadium:2", "soup"}) {
         CAPTURE(name);
-        const BuildContest contest = contest_builds(load_scene(name, 1.0f), 1, quiet);
+        const BuildContest contest = contest_builds(load_scene(name, 1.0f), {}, 1, quiet);
         CHECK(contest.triangles > 1000);
         CHECK(contest.ours.lowest > 0.0);
         CHECK(contest.embrees.lowest > 0.0);
@@ -55,5 +55,11 @@ TEST_CASE("bins cost a ray at most a fiftieth more than a full sweep", "[07][bui
 TEST_CASE("a scene without a triangle has no builds", "[07][builds]") {
     Scene empty;
     empty.name = "nothing";
-    CHECK_THROWS_AS(contest_builds(empty, 1, quiet), InputError);
+    CHECK_THROWS_AS(contest_builds(empty, {}, 1, quiet), InputError);
+}
+
+TEST_CASE("two bins cost a ray more than the builder's own 32", "[07][builds]") {
+    const Scene scene = load_scene("knot:4", 1.0f);
+    const BuildContest two = contest_builds(scene, {.values = {{"bins", "2"}}}, 1, quiet);
+    CHECK(two.cost_to_sweep > contest_builds(scene, {}, 1, quiet).cost_to_sweep);
 }

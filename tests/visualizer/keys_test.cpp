@@ -4,6 +4,7 @@
 #include "visualizer/help.h"
 #include "visualizer/keys.h"
 #include "visualizer/layout.h"
+#include "visualizer/pointing.h"
 
 #include <set>
 

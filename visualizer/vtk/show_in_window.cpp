@@ -3,6 +3,7 @@
 #include "error/error.h"
 #include "visualizer/framing.h"
 #include "visualizer/keys.h"
+#include "visualizer/pointing.h"
 #include "visualizer/state_file.h"
 #include "visualizer/vtk/drawing.h"
 #include "visualizer/vtk/screenshot.h"
