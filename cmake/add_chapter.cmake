@@ -1,17 +1,25 @@
-# A chapter's manifest is its CMakeLists.txt: add_chapter names the files born in it, and
-# add_chapter_picture the pictures that ./run.sh makes of it.
+# A chapter's CMakeLists.txt: add_chapter makes its program, and add_chapter_picture the pictures that
+# ./run.sh makes of it.
 
-# add_chapter(NAME USES module... BORN path...)
-# BORN names the files and folders that came with the chapter. A chapter adds files and never edits those
-# of an earlier one; a test sees to it that each file is born once.
+# add_chapter(NAME USES module...)
+# The program NAME of the folder's main.cpp. Its other .cpp files are the library raysteps::chapter_NAME,
+# which the chapter's tests link too (`#include "NAME/file.h"`).
 function(add_chapter name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;BORN")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  add_executable(${name} ${sources})
+  list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
+  add_executable(${name} main.cpp)
   list(TRANSFORM arg_USES PREPEND raysteps::)
-  target_link_libraries(${name} PRIVATE ${arg_USES})
+  if(sources)
+    add_library(raysteps_chapter_${name} STATIC ${sources})
+    add_library(raysteps::chapter_${name} ALIAS raysteps_chapter_${name})
+    target_include_directories(raysteps_chapter_${name} PUBLIC ${PROJECT_SOURCE_DIR}/chapters)
+    target_link_libraries(raysteps_chapter_${name} PUBLIC ${arg_USES})
+    target_link_libraries(${name} PRIVATE raysteps_chapter_${name})
+  else()
+    target_link_libraries(${name} PRIVATE ${arg_USES})
+  endif()
   set_property(GLOBAL APPEND PROPERTY RAYSTEPS_CHAPTERS ${name})
-  set_property(GLOBAL PROPERTY RAYSTEPS_BORN_IN_${name} ${arg_BORN})
   if(NOT TARGET pictures)
     add_custom_target(pictures)
   endif()

@@ -1,12 +1,16 @@
-# add_module(NAME [USES module...] [PACKAGES target...] [PRIVATE_PACKAGES target...])
-# Makes the library of the folder common/NAME from all its .cpp files. USES names the modules that
-# its includes may name (docs/architecture.md, "Who may include whom"); it can link nothing else.
+# add_module(NAME [USES module...] [PACKAGES target...] [PRIVATE_PACKAGES target...] [WITHOUT folder...])
+# Makes the library of the folder common/NAME from the .cpp files in it and in its folders, except those of
+# WITHOUT, which are added where their package is there. USES names the modules that its includes may name
+# (docs/architecture.md, "Modules"); it can link nothing else.
 # Files of RAYSTEPS_WORKBOOK take the place of their namesakes, and come first for the compiler.
 function(add_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES;PRIVATE_PACKAGES")
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES;PRIVATE_PACKAGES;WITHOUT")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(folder IN LISTS arg_WITHOUT)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  endforeach()
   if(RAYSTEPS_WORKBOOK)
-    file(GLOB own RELATIVE ${RAYSTEPS_WORKBOOK}/common/${name} CONFIGURE_DEPENDS
+    file(GLOB_RECURSE own RELATIVE ${RAYSTEPS_WORKBOOK}/common/${name} CONFIGURE_DEPENDS
       ${RAYSTEPS_WORKBOOK}/common/${name}/*.cpp)
     foreach(file IN LISTS own)
       list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${file})

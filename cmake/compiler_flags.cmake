@@ -18,7 +18,7 @@ endif()
 if(RAYSTEPS_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
-  add_library(sanitizer_defaults OBJECT ${CMAKE_CURRENT_SOURCE_DIR}/tests/sanitize/sanitizer_defaults.cpp)
+  add_library(sanitizer_defaults OBJECT ${CMAKE_CURRENT_SOURCE_DIR}/tests/whole/sanitize/sanitizer_defaults.cpp)
   # In every program, and its dlclose instead of the system's in every library that is loaded.
   link_libraries("$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:$<TARGET_OBJECTS:sanitizer_defaults>>")
   add_link_options(-rdynamic)

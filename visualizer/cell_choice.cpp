@@ -1,6 +1,6 @@
-#include "visualizer/cell_choice.h"
+#include "cell_choice.h"
 
-#include "structure/bvh_item.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <numeric>

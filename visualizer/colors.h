@@ -1,6 +1,6 @@
 #pragma once
 
-#include "replay/recorded_path.h"
+#include "visualizer/replay/recorded_path.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,4 +1,4 @@
-#include "visualizer/framing.h"
+#include "framing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visualizer/stage.h"
+#include "stage.h"
 
 namespace raysteps::view {
 

@@ -1,7 +1,7 @@
-#include "visualizer/hard_ray.h"
+#include "hard_ray.h"
 
 #include "mirror/every_triangle.h"
-#include "replay/sentence.h"
+#include "visualizer/replay/sentence.h"
 
 #include <algorithm>
 #include <optional>

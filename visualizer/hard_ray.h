@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "replay/walk_recorder.h"
+#include "visualizer/replay/walk_recorder.h"
 
 #include <cstddef>
 #include <span>
@@ -17,7 +17,7 @@ struct HardRay {
 
 // The first ray that breaks a usual method: a walk that takes a hit beyond the cell where it finds
 // it for the answer; or the triangle test by Moeller and Trumbore, where that is not too much work
-// (geometry/triangle_moeller_trumbore.glsl). Where none does, the first that hits anything, else
+// (triangle/moeller_trumbore.glsl). Where none does, the first that hits anything, else
 // the first. There has to be one.
 HardRay choose_hard_ray(std::span<const Ray> rays, const mirror::SceneBuffers& scene,
                         const WalkRecorder& recorder);

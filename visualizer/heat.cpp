@@ -1,6 +1,6 @@
-#include "visualizer/heat.h"
+#include "heat.h"
 
-#include "replay/sentence.h"
+#include "visualizer/replay/sentence.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
-#include "visualizer/help.h"
+#include "help.h"
 
-#include "replay/sentence.h"
-#include "visualizer/state_words.h"
+#include "visualizer/replay/sentence.h"
+#include "state_words.h"
 
 namespace raysteps::view {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visualizer/state.h"
+#include "state.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
-#include "visualizer/keys.h"
+#include "keys.h"
 
-#include "visualizer/cell_choice.h"
-#include "visualizer/layout.h"
-#include "visualizer/state_words.h"
+#include "cell_choice.h"
+#include "layout.h"
+#include "state_words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "visualizer/layout.h"
+#include "layout.h"
 
 #include <algorithm>
 

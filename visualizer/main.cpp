@@ -1,11 +1,11 @@
 // The visualizer: what a structure looks like, and how a ray walks through it.
-#include "error/error.h"
-#include "visualizer/keys.h"
-#include "visualizer/pointing.h"
-#include "visualizer/request.h"
-#include "visualizer/show_view.h"
-#include "visualizer/stage.h"
-#include "visualizer/state_file.h"
+#include "basics/error.h"
+#include "keys.h"
+#include "pointing.h"
+#include "request.h"
+#include "show_view.h"
+#include "stage.h"
+#include "state_file.h"
 
 #include <cstdio>
 #include <iostream>

@@ -1,6 +1,6 @@
-#include "visualizer/option_values.h"
+#include "option_values.h"
 
-#include "parse/words.h"
+#include "basics/text.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "error/error.h"
-#include "visualizer/cell_choice.h"
-#include "visualizer/state_words.h"
+#include "basics/error.h"
+#include "cell_choice.h"
+#include "state_words.h"
 
 #include <string>
 

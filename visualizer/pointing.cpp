@@ -1,9 +1,9 @@
-#include "visualizer/pointing.h"
+#include "pointing.h"
 
 #include "scene/view.h"
-#include "visualizer/cell_choice.h"
-#include "visualizer/keys.h"
-#include "visualizer/state_words.h"
+#include "cell_choice.h"
+#include "keys.h"
+#include "state_words.h"
 
 #include <algorithm>
 #include <cmath>

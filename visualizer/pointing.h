@@ -1,7 +1,7 @@
 #pragma once
 
-#include "visualizer/layout.h"
-#include "visualizer/stage.h"
+#include "layout.h"
+#include "stage.h"
 
 #include <optional>
 

@@ -1,15 +1,13 @@
-#include "visualizer/request.h"
+#include "request.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/hard_cases.h"
-#include "parse/parse_camera.h"
-#include "parse/parse_size.h"
-#include "parse/words.h"
-#include "replay/walk_recorder.h"
-#include "structure/build_choices.h"
-#include "structure/families.h"
-#include "visualizer/option_values.h"
-#include "visualizer/state_file.h"
+#include "scene/camera_text.h"
+#include "basics/text.h"
+#include "visualizer/replay/walk_recorder.h"
+#include "structure/structure.h"
+#include "option_values.h"
+#include "state_file.h"
 
 #include <CLI/CLI.hpp>
 

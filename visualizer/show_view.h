@@ -1,7 +1,7 @@
 #pragma once
 
-#include "visualizer/request.h"
-#include "visualizer/stage.h"
+#include "request.h"
+#include "stage.h"
 
 namespace raysteps::view {
 

@@ -1,15 +1,14 @@
-#include "visualizer/stage.h"
+#include "stage.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/hard_cases.h"
-#include "parse/words.h"
+#include "basics/text.h"
 #include "scene/load_scene.h"
 #include "scene/view.h"
-#include "structure/build_choices.h"
-#include "structure/families.h"
-#include "structure/reach.h"
-#include "visualizer/hard_ray.h"
-#include "visualizer/structure_name.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
+#include "hard_ray.h"
+#include "structure_name.h"
 
 #include <algorithm>
 #include <utility>

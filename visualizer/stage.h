@@ -1,13 +1,13 @@
 #pragma once
 
 #include "hard_cases/hard_case.h"
-#include "replay/parting.h"
-#include "replay/recorded_path.h"
-#include "replay/structure_cells.h"
-#include "replay/walk_recorder.h"
+#include "visualizer/replay/parting.h"
+#include "visualizer/replay/recorded_path.h"
+#include "visualizer/replay/structure_cells.h"
+#include "visualizer/replay/walk_recorder.h"
 #include "scene/scene.h"
-#include "structure/structure_family.h"
-#include "visualizer/state.h"
+#include "structure/structure.h"
+#include "state.h"
 
 #include <functional>
 #include <memory>

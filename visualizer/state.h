@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/layout.h"
-#include "scene/camera.h"
+#include "basics/ray.h"
+#include "scene/scene.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

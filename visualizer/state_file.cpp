@@ -1,9 +1,8 @@
-#include "visualizer/state_file.h"
+#include "state_file.h"
 
-#include "error/error.h"
-#include "file/read_file.h"
-#include "file/write_file.h"
-#include "visualizer/state_words.h"
+#include "basics/error.h"
+#include "basics/file.h"
+#include "state_words.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "visualizer/state_words.h"
+#include "state_words.h"
 
 namespace raysteps::view {
 

@@ -1,10 +1,9 @@
-#include "visualizer/structure_name.h"
+#include "structure_name.h"
 
-#include "error/error.h"
-#include "parse/words.h"
-#include "replay/walk_recorder.h"
-#include "structure/build_choices.h"
-#include "structure/families.h"
+#include "basics/error.h"
+#include "basics/text.h"
+#include "visualizer/replay/walk_recorder.h"
+#include "structure/structure.h"
 
 #include <algorithm>
 

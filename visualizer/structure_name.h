@@ -1,8 +1,8 @@
 #pragma once
 
-#include "replay/structure_cells.h"
-#include "structure/structure_family.h"
-#include "visualizer/state.h"
+#include "visualizer/replay/structure_cells.h"
+#include "structure/structure.h"
+#include "state.h"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
-#include "visualizer/walk_file.h"
+#include "walk_file.h"
 
-#include "error/error.h"
-#include "replay/sentence.h"
+#include "basics/error.h"
+#include "visualizer/replay/sentence.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

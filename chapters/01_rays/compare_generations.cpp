@@ -1,11 +1,11 @@
 #include "compare_generations.h"
 
-#include "command/deliver.h"
-#include "error/error.h"
+#include "program/deliver.h"
+#include "basics/error.h"
 #include "image/heat_map.h"
-#include "image/side_by_side.h"
-#include "reference/direction_error.h"
-#include "report/summary.h"
+#include "image/image.h"
+#include "reference/reference_ray.h"
+#include "measure/statistics.h"
 
 #include <glm/geometric.hpp>
 

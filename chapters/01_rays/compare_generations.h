@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command/command.h"
-#include "render/generate_rays.h"
+#include "program/command.h"
+#include "render/rays.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // Chapter 01: primary rays, interpolated by the rasterizer and computed by each pixel.
-#include "command/command.h"
-#include "command/deliver.h"
+#include "program/command.h"
+#include "program/deliver.h"
 #include "compare_generations.h"
-#include "render/generate_rays.h"
-#include "render/show_rays.h"
+#include "render/rays.h"
+#include "render/show_hits.h"
 
 using namespace raysteps;
 

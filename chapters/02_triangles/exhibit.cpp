@@ -1,13 +1,12 @@
 #include "exhibit.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "error/error.h"
-#include "gpu/shader_catalog.h"
-#include "image/compose.h"
-#include "image/side_by_side.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "basics/error.h"
+#include "gpu/shaders.h"
+#include "image/image.h"
 #include "reference/brute_force.h"
-#include "render/generate_rays.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
 #include "render/trace_rays.h"
 #include "scene/mesh.h"
@@ -92,7 +91,7 @@ Scene inside_a_ball(const Scene& scene) {
 
 std::string refusal_of_compiler() {
     try {
-        TraceRays({{"triangle", "geometry/exhibit_paper_as_printed.glsl"}}, 1);
+        TraceRays({{"triangle", "exhibit/paper_as_printed.glsl"}}, 1);
     } catch (const Error& error) {
         return error.what();
     }

@@ -1,11 +1,11 @@
 // Chapter 02: the loop over every triangle.
-#include "command/command.h"
-#include "command/deliver.h"
-#include "command/timed_trace.h"
-#include "command/tracing_options.h"
+#include "program/command.h"
+#include "program/deliver.h"
+#include "program/timed_trace.h"
+#include "program/tracing_options.h"
 #include "exhibit.h"
-#include "gpu/shader_catalog.h"
-#include "render/generate_rays.h"
+#include "gpu/shaders.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
 
 using namespace raysteps;

@@ -1,9 +1,9 @@
 // Chapter 03: a picture as a wavefront of passes, with light, hard shadows and mirrors.
-#include "command/command.h"
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/timed_trace.h"
-#include "command/tracing_options.h"
+#include "program/command.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/timed_trace.h"
+#include "program/tracing_options.h"
 #include "render/whitted_renderer.h"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // Chapter 04: the uniform grid.
-#include "command/command.h"
-#include "command/measure_command.h"
-#include "command/show_trace.h"
-#include "command/tracing_options.h"
+#include "program/command.h"
+#include "program/measure_command.h"
+#include "program/show_trace.h"
+#include "program/tracing_options.h"
 #include "plot_resolution.h"
 
 using namespace raysteps;

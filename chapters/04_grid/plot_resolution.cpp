@@ -1,12 +1,12 @@
 #include "plot_resolution.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/tracing_options.h"
-#include "error/error.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
+#include "basics/error.h"
 #include "measure/measure_structures.h"
-#include "report/plot.h"
-#include "structure/families.h"
+#include "image/plot.h"
+#include "structure/structure.h"
 
 #include <iostream>
 

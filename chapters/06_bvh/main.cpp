@@ -1,8 +1,8 @@
 // Chapter 06: the bounding volume hierarchy.
-#include "command/command.h"
-#include "command/measure_command.h"
-#include "command/show_trace.h"
-#include "command/tracing_options.h"
+#include "program/command.h"
+#include "program/measure_command.h"
+#include "program/show_trace.h"
+#include "program/tracing_options.h"
 
 using namespace raysteps;
 

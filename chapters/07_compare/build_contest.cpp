@@ -1,13 +1,12 @@
-#include "compare/build_contest.h"
+#include "build_contest.h"
 
-#include "compare/stopwatch.h"
-#include "embree/embree_builder.h"
-#include "error/error.h"
-#include "report/csv_field.h"
-#include "report/formatted.h"
-#include "structure/build_bvh.h"
-#include "structure/family_bvh.h"
-#include "structure/measure_bvh.h"
+#include "measure/stopwatch.h"
+#include "reference/embree/embree.h"
+#include "basics/error.h"
+#include "basics/text.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/bvh/family_bvh.h"
+#include "structure/bvh/bvh.h"
 
 namespace raysteps {
 

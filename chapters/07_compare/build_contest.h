@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/trace_rays.h"
-#include "report/measured_range.h"
+#include "measure/statistics.h"
 #include "scene/scene.h"
-#include "structure/structure_family.h"
+#include "structure/structure.h"
 
 #include <string>
 #include <vector>

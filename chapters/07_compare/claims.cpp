@@ -1,4 +1,4 @@
-#include "compare/claims.h"
+#include "claims.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/scene_result.h"
+#include "measure/contest.h"
 
 #include <optional>
 #include <span>

@@ -1,4 +1,4 @@
-#include "compare/growth_lines.h"
+#include "growth_lines.h"
 
 #include <algorithm>
 #include <cstdio>

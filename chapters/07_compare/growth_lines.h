@@ -1,7 +1,7 @@
 #pragma once
 
-#include "compare/scene_result.h"
-#include "report/growth.h"
+#include "measure/contest.h"
+#include "measure/statistics.h"
 
 #include <span>
 #include <string>

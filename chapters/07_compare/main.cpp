@@ -1,7 +1,7 @@
 // Chapter 07: all structures and all walks in one run, and Embree beside them.
-#include "command/command.h"
-#include "command/show_trace.h"
-#include "command/tracing_options.h"
+#include "program/command.h"
+#include "program/show_trace.h"
+#include "program/tracing_options.h"
 #include "run_builds.h"
 #include "run_comparison.h"
 

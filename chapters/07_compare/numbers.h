@@ -1,8 +1,8 @@
 #pragma once
 
-#include "command/deliver.h"
-#include "compare/claims.h"
-#include "compare/growth_lines.h"
+#include "program/deliver.h"
+#include "claims.h"
+#include "growth_lines.h"
 
 namespace raysteps {
 

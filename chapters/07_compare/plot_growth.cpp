@@ -1,6 +1,6 @@
 #include "plot_growth.h"
 
-#include "report/plot.h"
+#include "image/plot.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command/command.h"
-#include "compare/growth_lines.h"
+#include "program/command.h"
+#include "growth_lines.h"
 
 #include <span>
 

@@ -1,7 +1,6 @@
-#include "compare/program_length.h"
+#include "program_length.h"
 
-#include "gpu/read_shader.h"
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 
 #include <algorithm>
 #include <fstream>
@@ -11,7 +10,7 @@ namespace raysteps {
 namespace {
 
 std::vector<std::string> files_of(const std::string& structure) {
-    return read_shader("pass/trace.frag", {{"real", "layout/real_float.glsl"},
+    return read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
                                            {"triangle", find_part("triangle", "watertight")},
                                            {"structure", find_part("structure", structure)},
                                            {"observer", "observer/none.glsl"}})

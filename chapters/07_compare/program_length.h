@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/claims.h"
+#include "claims.h"
 
 #include <string>
 #include <vector>

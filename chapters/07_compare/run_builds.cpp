@@ -1,11 +1,11 @@
 #include "run_builds.h"
 
-#include "command/progress.h"
-#include "command/tracing_options.h"
-#include "compare/build_contest.h"
-#include "embree/embree_scene.h"
-#include "error/error.h"
-#include "file/write_file.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
+#include "build_contest.h"
+#include "reference/embree/embree.h"
+#include "basics/error.h"
+#include "basics/file.h"
 
 #include <iostream>
 

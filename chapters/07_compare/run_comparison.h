@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command/command.h"
-#include "embree/embree_part.h"
+#include "program/command.h"
+#include "reference/embree/embree.h"
 
 #include <string>
 #include <vector>

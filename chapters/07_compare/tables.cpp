@@ -1,7 +1,6 @@
-#include "compare/tables.h"
+#include "tables.h"
 
-#include "report/csv_field.h"
-#include "report/formatted.h"
+#include "basics/text.h"
 
 namespace raysteps {
 

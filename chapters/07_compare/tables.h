@@ -1,7 +1,7 @@
 #pragma once
 
-#include "compare/claims.h"
-#include "compare/scene_result.h"
+#include "claims.h"
+#include "measure/contest.h"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
-#include "accuracy/aimed_rays.h"
+#include "aimed_rays.h"
 
-#include "geometry/box.h"
-#include "scene/random_numbers.h"
+#include "basics/box.h"
+#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr float no_end = std::numeric_limits<float>::max();
 constexpr float grazing_angle = 1e-4f;
 constexpr float sizes_away = 1e4f;
-constexpr float leaving_units = 0x1p-18f; // 64 * 2^-24: shaders/geometry/leave_surface.glsl
+constexpr float leaving_units = 0x1p-18f; // 64 * 2^-24: shaders/light/leave_surface.glsl
 
 struct Target {
     RandomNumbers& numbers;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "basics/ray.h"
 
 #include <glm/vec3.hpp>
 

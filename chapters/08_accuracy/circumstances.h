@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "accuracy/run_knob.h"
+#include "effort.h"
+#include "run_knob.h"
 
 #include <string>
 #include <utility>

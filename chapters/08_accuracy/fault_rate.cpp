@@ -1,4 +1,4 @@
-#include "accuracy/fault_rate.h"
+#include "fault_rate.h"
 
 #include <algorithm>
 #include <cmath>

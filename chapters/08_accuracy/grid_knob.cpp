@@ -1,13 +1,13 @@
-#include "accuracy/grid_knob.h"
+#include "grid_knob.h"
 
-#include "accuracy/grid_trail.h"
-#include "accuracy/subject.h"
-#include "accuracy/trace_trials.h"
+#include "grid_trail.h"
+#include "subject.h"
+#include "trace_trials.h"
 #include "scene/mesh.h"
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 #include "scene/shapes.h"
-#include "structure/grid.h"
-#include "structure/reach.h"
+#include "structure/grid/grid.h"
+#include "structure/padding.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,13 +25,13 @@ struct GridMethod {
 
 const std::vector<GridMethod>& grid_methods() {
     static const std::vector<GridMethod> all{
-        {"from the index", "structure/grid.glsl"},
-        {"added up", "geometry/exhibit_grid_accumulated.glsl"}};
+        {"from the index", "structure/grid/grid.glsl"},
+        {"added up", "exhibit/grid_accumulated.glsl"}};
     return all;
 }
 
 Parts parts_of(const GridMethod& method) {
-    return {{"triangle", "geometry/triangle_watertight.glsl"}, {"structure", method.file}};
+    return {{"triangle", "triangle/watertight.glsl"}, {"structure", method.file}};
 }
 
 // A flat grid of so many cells an axis, with nothing in it: only the cells count.
@@ -101,7 +101,7 @@ void add_trails(Knob& knob, int resolution, const Effort& effort) {
     for (const GridMethod& method : grid_methods()) {
         const auto trace = std::make_shared<TraceRays>(parts_of(method), effort.limits);
         Parts watched = parts_of(method);
-        watched["observer"] = "geometry/exhibit_trail_observer.glsl";
+        watched["observer"] = "exhibit/trail_observer.glsl";
         const auto watch = std::make_shared<TraceRays>(std::move(watched), effort.limits);
         knob.trials.push_back({.method = method.name,
                                .family = std::to_string(resolution) + " cells across",

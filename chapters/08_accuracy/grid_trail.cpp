@@ -1,6 +1,6 @@
-#include "accuracy/grid_trail.h"
+#include "grid_trail.h"
 
-#include "geometry/grid_plane.h"
+#include "structure/grid/grid.h"
 
 #include <limits>
 

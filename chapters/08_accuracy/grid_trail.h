@@ -1,13 +1,13 @@
 #pragma once
 
-#include "geometry/layout.h"
-#include "structure/grid_shape.h"
+#include "basics/ray.h"
+#include "structure/grid/grid.h"
 
 #include <cstdint>
 
 namespace raysteps {
 
-// Which cells a ray visits, as shaders/geometry/exhibit_trail_observer.glsl writes it down: how
+// Which cells a ray visits, as shaders/exhibit/trail_observer.glsl writes it down: how
 // many, and a number for their order.
 struct Trail {
     std::uint32_t visits = 0;

@@ -1,11 +1,11 @@
-#include "accuracy/hit_picture_knob.h"
+#include "hit_picture_knob.h"
 
-#include "accuracy/judge_picture.h"
-#include "accuracy/triangle_knob.h"
-#include "render/generate_rays.h"
+#include "judge_picture.h"
+#include "triangle_knob.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
 #include "render/trace_rays.h"
-#include "structure/reach.h"
+#include "structure/padding.h"
 
 namespace raysteps {
 
@@ -52,7 +52,7 @@ std::shared_ptr<const Stage> make_stage(std::shared_ptr<const Subject> subject,
                                         const Effort& effort) {
     const int size = effort.picture_size;
     RayTextures rays = generate_rays(subject->scene.camera, size, size, RayGeneration::direct);
-    TraceRays judge = tracer(*subject, {{"triangle", "geometry/triangle_watertight.glsl"}}, effort);
+    TraceRays judge = tracer(*subject, {{"triangle", "triangle/watertight.glsl"}}, effort);
     const auto stage = std::make_shared<Stage>(Stage{std::move(subject), std::move(rays)});
     stage->truth = show_with(*stage, judge);
     return stage;

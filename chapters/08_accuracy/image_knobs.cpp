@@ -1,11 +1,11 @@
-#include "accuracy/image_knobs.h"
+#include "image_knobs.h"
 
-#include "accuracy/judge_picture.h"
-#include "accuracy/subject.h"
+#include "judge_picture.h"
+#include "subject.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
-#include "structure/families.h"
-#include "structure/reach.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,8 +26,8 @@ public:
     Photographer(Scene scene, const Effort& effort)
         : scene_(std::move(scene)), size_(effort.picture_size),
           renderer_(scene_, textures_of(scene_),
-                    {{"triangle", "geometry/triangle_watertight.glsl"},
-                     {"structure", "structure/bvh_ordered.glsl"}},
+                    {{"triangle", "triangle/watertight.glsl"},
+                     {"structure", "structure/bvh/bvh_ordered.glsl"}},
                     effort.limits) {}
 
     // The mean of side * side rays a pixel.

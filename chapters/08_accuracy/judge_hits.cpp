@@ -1,7 +1,7 @@
-#include "accuracy/judge_hits.h"
+#include "judge_hits.h"
 
-#include "geometry/box.h"
-#include "reference/exact_nearest.h"
+#include "basics/box.h"
+#include "reference/exact.h"
 #include "structure/padding.h"
 
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "accuracy/knob.h"
-#include "geometry/layout.h"
-#include "reference/reference_hit.h"
+#include "knob.h"
+#include "basics/ray.h"
+#include "reference/exact.h"
 
 #include <glm/vec3.hpp>
 

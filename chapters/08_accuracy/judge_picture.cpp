@@ -1,7 +1,7 @@
-#include "accuracy/judge_picture.h"
+#include "judge_picture.h"
 
-#include "accuracy/similarity.h"
-#include "image/color_space.h"
+#include "similarity.h"
+#include "image/color.h"
 #include "image/difference.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accuracy/knob.h"
+#include "knob.h"
 #include "image/image.h"
 
 namespace raysteps {

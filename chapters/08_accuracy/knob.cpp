@@ -1,4 +1,4 @@
-#include "accuracy/knob.h"
+#include "knob.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "report/measured_range.h"
-#include "report/summary.h"
+#include "measure/statistics.h"
 
 #include <cstddef>
 #include <functional>

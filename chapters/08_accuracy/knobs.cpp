@@ -1,14 +1,14 @@
-#include "accuracy/knobs.h"
+#include "knobs.h"
 
-#include "accuracy/grid_knob.h"
-#include "accuracy/hit_picture_knob.h"
-#include "accuracy/image_knobs.h"
-#include "accuracy/offset_knob.h"
-#include "accuracy/precision_knob.h"
-#include "accuracy/primary_knob.h"
-#include "accuracy/slab_knob.h"
-#include "accuracy/speed_knob.h"
-#include "accuracy/triangle_knob.h"
+#include "grid_knob.h"
+#include "hit_picture_knob.h"
+#include "image_knobs.h"
+#include "offset_knob.h"
+#include "precision_knob.h"
+#include "primary_knob.h"
+#include "slab_knob.h"
+#include "speed_knob.h"
+#include "triangle_knob.h"
 
 namespace raysteps {
 

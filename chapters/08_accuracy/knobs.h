@@ -1,8 +1,8 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "accuracy/knob.h"
-#include "accuracy/subject.h"
+#include "effort.h"
+#include "knob.h"
+#include "subject.h"
 
 #include <functional>
 #include <string>

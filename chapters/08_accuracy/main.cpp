@@ -1,5 +1,5 @@
 // Chapter 08: what accuracy costs in time, choice by choice, in one report.
-#include "command/command.h"
+#include "program/command.h"
 #include "make_report.h"
 
 using namespace raysteps;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "command/command.h"
+#include "effort.h"
+#include "program/command.h"
 
 #include <string>
 #include <vector>
@@ -26,7 +26,7 @@ std::string knob_names();
 void refuse_window(const Command& command);
 
 // Of --size the smaller side, since pictures are square, and 8 pixels at least, which is what
-// accuracy/similarity.h looks at.
+// 08_accuracy/similarity.h looks at.
 int side_of_pictures(const Command& command);
 
 // Measures, prints a table a knob, and writes accuracy.html, accuracy.csv, accuracy.json and the

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/page.h"
-#include "command/deliver.h"
+#include "page.h"
+#include "program/deliver.h"
 
 namespace raysteps {
 

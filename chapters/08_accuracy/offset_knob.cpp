@@ -1,12 +1,12 @@
-#include "accuracy/offset_knob.h"
+#include "offset_knob.h"
 
 #include "gpu/draw.h"
 #include "gpu/gl.h"
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
 #include "scene/mesh.h"
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 #include "scene/shapes.h"
 
 #include <glm/geometric.hpp>
@@ -97,7 +97,7 @@ std::shared_ptr<const ShellTextures> upload_shells(Shells shells) {
 class LeaveSurfaces {
 public:
     LeaveSurfaces(const std::string& part, std::shared_ptr<const ShellTextures> from)
-        : from_(std::move(from)), program_("pass/leave_surfaces.frag", {{"offset", part}}),
+        : from_(std::move(from)), program_("pass/rays/leave_surfaces.frag", {{"offset", part}}),
           rays_(make_ray_textures(from_->points.width(), from_->points.height())) {
         program_.set("hits", from_->points)
             .set("leaving_directions", from_->directions)
@@ -154,7 +154,7 @@ Knob offset_knob(const Effort& effort) {
     knob.unit_of_cases = "ray";
     knob.unit_of_error = "origin moved, in radii";
     const auto trace = std::make_shared<TraceRays>(
-        Parts{{"triangle", "geometry/triangle_watertight.glsl"}}, effort.limits);
+        Parts{{"triangle", "triangle/watertight.glsl"}}, effort.limits);
     for (const Shells& shells :
          {Shells{"radius 1", 1.0f, {}, 4e-5f}, Shells{"radius 0.001", 1e-3f, {}, 4e-5f},
           Shells{"radius 1000", 1e3f, {}, 4e-5f},

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "accuracy/knob.h"
+#include "effort.h"
+#include "knob.h"
 
 namespace raysteps {
 

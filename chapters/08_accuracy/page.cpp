@@ -1,9 +1,9 @@
-#include "accuracy/page.h"
+#include "page.h"
 
-#include "accuracy/page_plots.h"
-#include "report/base64.h"
-#include "report/formatted.h"
-#include "report/scatter_plot.h"
+#include "page_plots.h"
+#include "base64.h"
+#include "basics/text.h"
+#include "scatter_plot.h"
 
 #include <algorithm>
 

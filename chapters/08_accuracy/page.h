@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/knob.h"
-#include "accuracy/verdict.h"
+#include "knob.h"
+#include "verdict.h"
 
 #include <string>
 #include <utility>

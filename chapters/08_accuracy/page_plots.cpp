@@ -1,7 +1,7 @@
-#include "accuracy/page_plots.h"
+#include "page_plots.h"
 
-#include "accuracy/verdict.h"
-#include "report/scatter_plot.h"
+#include "verdict.h"
+#include "scatter_plot.h"
 
 #include <cstdio>
 #include <functional>

@@ -1,10 +1,10 @@
-#include "accuracy/precision_knob.h"
+#include "precision_knob.h"
 
-#include "accuracy/subject.h"
-#include "accuracy/trace_trials.h"
+#include "subject.h"
+#include "trace_trials.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
-#include "structure/reach.h"
+#include "structure/padding.h"
 
 #include <algorithm>
 
@@ -22,14 +22,14 @@ Knob precision_knob(const Effort& effort) {
         }
     }
     const auto textures = build_textures(*scene, "bvh_ordered", reach, {});
-    const std::string walk = "structure/bvh_ordered.glsl";
-    const std::string exact = "geometry/triangle_watertight.glsl";
-    const std::string rounded = "geometry/triangle_watertight_rounded.glsl";
+    const std::string walk = "structure/bvh/bvh_ordered.glsl";
+    const std::string exact = "triangle/watertight.glsl";
+    const std::string rounded = "triangle/watertight_rounded.glsl";
     const std::vector<TraceMethod> methods{
         {"float", {{"structure", walk}, {"triangle", rounded}}, textures},
         {"float, exact areas", {{"structure", walk}, {"triangle", exact}}, textures},
         {"double",
-         {{"structure", walk}, {"triangle", rounded}, {"real", "layout/double_precision.glsl"}},
+         {{"structure", walk}, {"triangle", rounded}, {"real", "exhibit/double_precision.glsl"}},
          textures}};
     Knob knob;
     knob.name = "precision";

@@ -1,9 +1,9 @@
-#include "accuracy/primary_knob.h"
+#include "primary_knob.h"
 
 #include "gpu/draw.h"
 #include "gpu/gl.h"
-#include "reference/direction_error.h"
-#include "render/ray_textures.h"
+#include "reference/reference_ray.h"
+#include "render/rays.h"
 #include "scene/view.h"
 
 #include <memory>
@@ -65,8 +65,8 @@ Knob primary_knob(const Effort& effort) {
                  .run = [make] { make->run(); },
                  .examine = [make] { return make->examine(); }});
         };
-        add("interpolated", "pass/interpolate_rays.frag", Shape::rectangle);
-        add("direct", "pass/compute_rays.frag", Shape::triangle);
+        add("interpolated", "pass/rays/interpolate_rays.frag", Shape::rectangle);
+        add("direct", "pass/rays/compute_rays.frag", Shape::triangle);
     }
     return knob;
 }

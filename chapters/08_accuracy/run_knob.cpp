@@ -1,8 +1,8 @@
-#include "accuracy/run_knob.h"
+#include "run_knob.h"
 
-#include "accuracy/fault_rate.h"
-#include "compare/stopwatch.h"
-#include "error/error.h"
+#include "fault_rate.h"
+#include "measure/stopwatch.h"
+#include "basics/error.h"
 
 #include <algorithm>
 

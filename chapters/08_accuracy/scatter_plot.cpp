@@ -1,6 +1,6 @@
-#include "report/scatter_plot.h"
+#include "scatter_plot.h"
 
-#include "report/formatted.h"
+#include "basics/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "accuracy/scene_needs.h"
+#include "scene_needs.h"
 
-#include "geometry/box.h"
-#include "report/formatted.h"
+#include "basics/box.h"
+#include "basics/text.h"
 
 #include <glm/geometric.hpp>
 

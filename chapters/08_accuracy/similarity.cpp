@@ -1,7 +1,7 @@
-#include "accuracy/similarity.h"
+#include "similarity.h"
 
-#include "error/error.h"
-#include "image/color_space.h"
+#include "basics/error.h"
+#include "image/color.h"
 
 #include <algorithm>
 

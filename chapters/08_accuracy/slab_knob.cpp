@@ -1,12 +1,12 @@
-#include "accuracy/slab_knob.h"
+#include "slab_knob.h"
 
-#include "geometry/box.h"
+#include "basics/box.h"
 #include "gpu/draw.h"
 #include "gpu/gl.h"
-#include "gpu/shader_catalog.h"
-#include "reference/exact_box.h"
-#include "render/ray_textures.h"
-#include "scene/random_numbers.h"
+#include "gpu/shaders.h"
+#include "reference/exact.h"
+#include "render/rays.h"
+#include "basics/random_numbers.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,7 +16,7 @@ namespace raysteps {
 
 namespace {
 
-constexpr int box_count = 128; // as many as pass/meet_boxes.frag has bits for
+constexpr int box_count = 128; // as many as pass/trace/meet_boxes.frag has bits for
 constexpr float no_end = std::numeric_limits<float>::max();
 
 // Rays that each were aimed at one of the boxes.
@@ -106,7 +106,7 @@ BufferTexture upload_boxes(std::span<const Box> boxes) {
 class MeetBoxes {
 public:
     MeetBoxes(const std::string& part, const BoxFamily& family, std::size_t ray_count)
-        : program_("pass/meet_boxes.frag", {{"slab", part}}), boxes_(upload_boxes(family.boxes)),
+        : program_("pass/trace/meet_boxes.frag", {{"slab", part}}), boxes_(upload_boxes(family.boxes)),
           rays_(upload_rays(std::span(family.rays).first(ray_count))),
           met_(TexelFormat::rgba32ui, rays_.origins.width(), rays_.origins.height()) {
         program_.set("ray_origins", rays_.origins)

@@ -1,11 +1,11 @@
-#include "accuracy/speed_knob.h"
+#include "speed_knob.h"
 
-#include "accuracy/aimed_rays.h"
-#include "accuracy/subject.h"
-#include "gpu/shader_catalog.h"
-#include "render/generate_rays.h"
+#include "aimed_rays.h"
+#include "subject.h"
+#include "gpu/shaders.h"
+#include "render/rays.h"
 #include "render/trace_rays.h"
-#include "structure/reach.h"
+#include "structure/padding.h"
 
 #include <cstring>
 #include <map>
@@ -43,7 +43,7 @@ struct SpeedFamily {
 };
 
 Parts parts_of(const std::string& structure) {
-    return {{"triangle", "geometry/triangle_watertight.glsl"},
+    return {{"triangle", "triangle/watertight.glsl"},
             {"structure", find_part("structure", structure)}};
 }
 

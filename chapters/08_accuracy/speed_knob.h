@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "accuracy/knob.h"
+#include "effort.h"
+#include "knob.h"
 #include "scene/scene.h"
 
 namespace raysteps {

@@ -1,10 +1,10 @@
-#include "accuracy/subject.h"
+#include "subject.h"
 
-#include "geometry/box.h"
+#include "basics/box.h"
 #include "scene/load_scene.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
-#include "structure/families.h"
+#include "structure/structure.h"
 
 #include <glm/geometric.hpp>
 

@@ -34,7 +34,7 @@ std::shared_ptr<const SceneTextures>
 build_textures(const Scene& scene, const std::string& structure, float reach,
                const std::map<std::string, std::string>& values);
 
-// What the map of triangles to a unit triangle is, for shaders/layout/transforms.glsl: three rows a
+// What the map of triangles to a unit triangle is, for shaders/exhibit/transforms.glsl: three rows a
 // triangle, computed in double. Of a triangle without an area, rows that are not finite.
 std::vector<glm::vec4> triangle_transforms(std::span<const glm::vec3> corners);
 

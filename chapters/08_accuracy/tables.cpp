@@ -1,8 +1,7 @@
-#include "accuracy/tables.h"
+#include "tables.h"
 
-#include "accuracy/fault_rate.h"
-#include "report/csv_field.h"
-#include "report/formatted.h"
+#include "fault_rate.h"
+#include "basics/text.h"
 
 namespace raysteps {
 

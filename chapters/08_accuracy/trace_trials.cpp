@@ -1,7 +1,7 @@
-#include "accuracy/trace_trials.h"
+#include "trace_trials.h"
 
-#include "accuracy/judge_hits.h"
-#include "reference/exact_nearest.h"
+#include "judge_hits.h"
+#include "reference/exact.h"
 
 #include <algorithm>
 

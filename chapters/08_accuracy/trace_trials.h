@@ -1,9 +1,9 @@
 #pragma once
 
-#include "accuracy/aimed_rays.h"
-#include "accuracy/effort.h"
-#include "accuracy/knob.h"
-#include "reference/reference_hit.h"
+#include "aimed_rays.h"
+#include "effort.h"
+#include "knob.h"
+#include "reference/exact.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
 
@@ -34,7 +34,7 @@ std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<AimedFami
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort);
 
-// Each method on each family: nearest hits, judged by accuracy/judge_hits.h. The corners must
+// Each method on each family: nearest hits, judged by 08_accuracy/judge_hits.h. The corners must
 // outlive the trials. A context must be current as long as they live.
 std::vector<Trial> trace_trials(const std::vector<TraceMethod>& methods,
                                 const std::vector<std::shared_ptr<const TraceFamily>>& families,

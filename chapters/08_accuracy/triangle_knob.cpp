@@ -1,12 +1,12 @@
-#include "accuracy/triangle_knob.h"
+#include "triangle_knob.h"
 
-#include "accuracy/trace_trials.h"
+#include "trace_trials.h"
 
 namespace raysteps {
 
 namespace {
 
-const std::string in_double = "layout/double_precision.glsl";
+const std::string in_double = "exhibit/double_precision.glsl";
 
 Parts with_test(const std::string& file) {
     return {{"triangle", "geometry/" + file + ".glsl"}};

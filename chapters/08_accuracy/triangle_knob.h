@@ -1,9 +1,9 @@
 #pragma once
 
-#include "accuracy/effort.h"
-#include "accuracy/knob.h"
-#include "accuracy/subject.h"
-#include "gpu/read_shader.h"
+#include "effort.h"
+#include "knob.h"
+#include "subject.h"
+#include "gpu/shaders.h"
 
 #include <string>
 
@@ -17,7 +17,7 @@ struct TriangleMethod {
 
 const std::vector<TriangleMethod>& triangle_methods();
 
-// All triangle tests, on families of rays at the subject (accuracy/aimed_rays.h).
+// All triangle tests, on families of rays at the subject (08_accuracy/aimed_rays.h).
 Knob triangle_knob(const std::string& name, const std::shared_ptr<const Subject>& subject,
                    const Effort& effort);
 

@@ -1,4 +1,4 @@
-#include "accuracy/verdict.h"
+#include "verdict.h"
 
 #include <algorithm>
 #include <functional>

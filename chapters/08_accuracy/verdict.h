@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accuracy/fault_rate.h"
-#include "accuracy/knob.h"
+#include "fault_rate.h"
+#include "knob.h"
 
 #include <optional>
 #include <span>

@@ -1,10 +1,10 @@
 // Chapter 09: a picture with only those effects that its scene calls for.
-#include "command/command.h"
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/timed_trace.h"
-#include "command/tracing_options.h"
-#include "error/error.h"
+#include "program/command.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/timed_trace.h"
+#include "program/tracing_options.h"
+#include "basics/error.h"
 #include "prove_effects.h"
 #include "render_effects.h"
 

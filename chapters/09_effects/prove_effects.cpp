@@ -1,13 +1,13 @@
 #include "prove_effects.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/tracing_options.h"
-#include "compare/stopwatch.h"
-#include "effects/effects_renderer.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
+#include "measure/stopwatch.h"
+#include "render/effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
-#include "report/bar_chart.h"
-#include "report/measured_range.h"
+#include "image/plot.h"
+#include "measure/statistics.h"
 #include "scene/load_scene.h"
 
 #include <cmath>

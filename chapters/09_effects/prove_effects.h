@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command/command.h"
-#include "effects/plan.h"
+#include "program/command.h"
+#include "render/effects/plan.h"
 #include "render/trace_rays.h"
 
 #include <string>

@@ -1,9 +1,9 @@
 #include "render_effects.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/tracing_options.h"
-#include "effects/explain.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
+#include "render/effects/effects_renderer.h"
 
 #include <chrono>
 #include <iostream>

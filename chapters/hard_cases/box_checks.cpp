@@ -1,9 +1,9 @@
-#include "error/error.h"
-#include "hard_cases/aimed_boxes.h"
+#include "basics/error.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/bvh.h"
-#include "structure/build_bvh.h"
-#include "trials/box_tests.h"
-#include "trials/checks.h"
+#include "structure/bvh/build_bvh.h"
+#include "box_tests.h"
+#include "checks.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "trials/box_tests.h"
+#include "box_tests.h"
 
 #include "mirror/bvh.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trials/trial.h"
+#include "trial.h"
 
 // Hard cases that are no mesh and rays, each list in its file.
 namespace raysteps {

@@ -1,4 +1,4 @@
-#include "trials/contraction.h"
+#include "contraction.h"
 
 namespace raysteps {
 

@@ -1,10 +1,10 @@
-#include "hard_cases/loose_triangles.h"
+#include "hard_cases/meshes.h"
 #include "mirror/every_triangle.h"
 #include "mirror/whitted.h"
 #include "render/whitted_renderer.h"
 #include "scene/shapes.h"
 #include "scene/view.h"
-#include "trials/checks.h"
+#include "checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ Scene white_furnace() {
 std::vector<glm::vec3> picture(const Scene& scene, int side, int bounces, GpuMethods* gpu) {
     if (gpu != nullptr) {
         WhittedRenderer renderer(scene, upload(scene),
-                                 {{"triangle", "geometry/triangle_watertight.glsl"}},
+                                 {{"triangle", "triangle/watertight.glsl"}},
                                  gpu->limits());
         return renderer.render(scene.camera, side, side, bounces).pixels;
     }

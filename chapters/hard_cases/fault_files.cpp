@@ -1,6 +1,6 @@
-#include "trials/fault_files.h"
+#include "fault_files.h"
 
-#include "file/write_file.h"
+#include "basics/file.h"
 
 #include <array>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trials/fuzz.h"
+#include "fuzz.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/file_cases.h"
-#include "scene/load_obj.h"
-#include "trials/checks.h"
+#include "scene/obj/load_obj.h"
+#include "checks.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "trials/fuzz.h"
+#include "fuzz.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/garbage.h"
-#include "structure/families.h"
-#include "structure/reach.h"
-#include "trials/mirror_methods.h"
-#include "trials/tally.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
+#include "mirror_methods.h"
+#include "tally.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hard_cases/hard_case.h"
-#include "trials/gpu_methods.h"
+#include "gpu_methods.h"
 
 #include <functional>
 #include <optional>

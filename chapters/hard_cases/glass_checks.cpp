@@ -1,11 +1,11 @@
-#include "effects/effects_renderer.h"
-#include "hard_cases/ray_families.h"
+#include "render/effects/effects_renderer.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/clear_surface.h"
-#include "scene/pack_glass.h"
+#include "reference/whitted_tree.h"
+#include "scene/pack_scene.h"
 #include "scene/shapes.h"
-#include "trials/checks.h"
+#include "checks.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -43,7 +43,7 @@ Scene glass_slab() {
 Image glass_picture(const Scene& scene, int side, const Quality& quality, GpuMethods& gpu) {
     const Plan plan = make_plan(scene, 1.0, "", quality);
     EffectsRenderer renderer(scene, upload(scene), plan,
-                             {{"triangle", "geometry/triangle_watertight.glsl"},
+                             {{"triangle", "triangle/watertight.glsl"},
                               {"structure", "structure/every_triangle.glsl"}},
                              gpu.limits());
     return renderer.render(scene.camera, side, side);

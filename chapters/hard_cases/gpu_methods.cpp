@@ -1,6 +1,6 @@
-#include "trials/gpu_methods.h"
+#include "gpu_methods.h"
 
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 
 namespace raysteps {
 

@@ -3,7 +3,7 @@
 #include "gpu/limits.h"
 #include "render/trace_rays.h"
 #include "scene/scene.h"
-#include "structure/structure_family.h"
+#include "structure/structure.h"
 
 #include <map>
 #include <span>

@@ -1,10 +1,9 @@
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "mirror/every_triangle.h"
 #include "mirror/grid.h"
-#include "structure/build_grid.h"
-#include "trials/checks.h"
+#include "structure/grid/build_grid.h"
+#include "checks.h"
 
 #include <algorithm>
 

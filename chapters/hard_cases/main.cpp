@@ -1,5 +1,5 @@
 // The hard cases by every method: who passes, who fails.
-#include "command/command.h"
+#include "program/command.h"
 #include "run_trials.h"
 
 using namespace raysteps;

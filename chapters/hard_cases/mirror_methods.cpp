@@ -1,4 +1,4 @@
-#include "trials/mirror_methods.h"
+#include "mirror_methods.h"
 
 #include "mirror/bvh.h"
 #include "mirror/every_triangle.h"
@@ -7,7 +7,7 @@
 #include "mirror/kd_tree.h"
 #include "mirror/packed_mirror.h"
 #include "mirror/triangle_tests.h"
-#include "parallel/on_threads.h"
+#include "basics/threads.h"
 
 namespace raysteps {
 

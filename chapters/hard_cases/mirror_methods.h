@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "basics/ray.h"
 #include "mirror/mirror_scene.h"
-#include "structure/packed_structure.h"
+#include "structure/structure.h"
 
 #include <map>
 #include <span>

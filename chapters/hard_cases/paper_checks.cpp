@@ -1,11 +1,11 @@
-#include "error/error.h"
-#include "hard_cases/coincident.h"
-#include "hard_cases/ray_families.h"
+#include "basics/error.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 #include "scene/shapes.h"
-#include "trials/checks.h"
+#include "checks.h"
 
 #include <array>
 
@@ -21,7 +21,7 @@ std::vector<TrialRow> as_printed(const TrialTools& tools) {
     }
     std::size_t taken = 1;
     try {
-        TraceRays({{"triangle", "geometry/exhibit_paper_as_printed.glsl"}}, tools.gpu->limits());
+        TraceRays({{"triangle", "exhibit/paper_as_printed.glsl"}}, tools.gpu->limits());
     } catch (const MachineError&) {
         taken = 0;
     }

@@ -1,9 +1,9 @@
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 #include "hard_cases/hard_cases.h"
-#include "scene/random_numbers.h"
-#include "trials/checks.h"
-#include "trials/tally.h"
+#include "basics/random_numbers.h"
+#include "checks.h"
+#include "tally.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,7 +23,7 @@ std::vector<TrialRow> cut_walks(const TrialTools& tools) {
     }
     const HardScene made = find_hard_case("T13").make({2000, tools.seed});
     const Scene scene = add_mesh(Scene{}, made.mesh, Material{});
-    const Parts parts{{"triangle", "geometry/triangle_watertight.glsl"}};
+    const Parts parts{{"triangle", "triangle/watertight.glsl"}};
     const int budget = tools.gpu->limits().loop_budget;
     std::vector<TrialRow> rows{
         {"the loops", "GPU", "1,024 rounds at least",

@@ -1,11 +1,11 @@
-#include "trials/run_hard_case.h"
+#include "run_hard_case.h"
 
-#include "gpu/shader_catalog.h"
-#include "reference/exact_nearest.h"
-#include "structure/families.h"
-#include "structure/reach.h"
-#include "trials/mirror_methods.h"
-#include "trials/tally.h"
+#include "gpu/shaders.h"
+#include "reference/exact.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
+#include "mirror_methods.h"
+#include "tally.h"
 
 #include <algorithm>
 

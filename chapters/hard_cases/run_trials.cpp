@@ -1,12 +1,12 @@
 #include "run_trials.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "error/error.h"
-#include "file/write_file.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "basics/error.h"
+#include "basics/file.h"
 #include "table.h"
-#include "trials/fault_files.h"
-#include "trials/trials.h"
+#include "fault_files.h"
+#include "trials.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
-#include "hard_cases/surfaces.h"
+#include "hard_cases/meshes.h"
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
-#include "trials/checks.h"
+#include "checks.h"
 
 #include <array>
 #include <cstdio>

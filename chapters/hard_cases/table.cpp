@@ -1,6 +1,6 @@
 #include "table.h"
 
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command/deliver.h"
-#include "trials/trial.h"
+#include "program/deliver.h"
+#include "trial.h"
 
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-#include "trials/tally.h"
+#include "tally.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,13 +1,11 @@
-#include "hard_cases/coincident.h"
-#include "hard_cases/deep_trees.h"
-#include "hard_cases/loose_triangles.h"
-#include "structure/build_bvh.h"
-#include "structure/build_kd_tree.h"
-#include "structure/check_bvh.h"
-#include "structure/check_kd_tree.h"
-#include "structure/measure_bvh.h"
-#include "structure/measure_kd_tree.h"
-#include "trials/checks.h"
+#include "hard_cases/meshes.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/kd_tree/build_kd_tree.h"
+#include "structure/bvh/check_bvh.h"
+#include "structure/kd_tree/check_kd_tree.h"
+#include "structure/bvh/bvh.h"
+#include "structure/kd_tree/kd_tree.h"
+#include "checks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "trials/trial.h"
+#include "trial.h"
 
 namespace raysteps {
 

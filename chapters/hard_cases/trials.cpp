@@ -1,9 +1,9 @@
-#include "trials/trials.h"
+#include "trials.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/hard_cases.h"
-#include "trials/checks.h"
-#include "trials/run_hard_case.h"
+#include "checks.h"
+#include "run_hard_case.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trials/trial.h"
+#include "trial.h"
 
 namespace raysteps {
 

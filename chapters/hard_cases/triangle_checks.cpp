@@ -1,9 +1,9 @@
 #include "hard_cases/hard_cases.h"
 #include "mirror/every_triangle.h"
-#include "reference/exact_intersection.h"
-#include "trials/checks.h"
-#include "trials/contraction.h"
-#include "trials/mirror_methods.h"
+#include "reference/exact.h"
+#include "checks.h"
+#include "contraction.h"
+#include "mirror_methods.h"
 
 #include <algorithm>
 #include <array>

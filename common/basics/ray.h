@@ -4,18 +4,20 @@
 
 namespace raysteps {
 
-// The records that C++ and GLSL share, in C++: the text is that of shaders/layout.
+// The records that C++ and GLSL share, in C++: the text is that of shaders/core.
+#define precise
 template <class Real>
 struct Layout {
     using real = Real;
     using real3 = glm::vec<3, Real>;
 
-#include "layout/ray.glsl"
+#include "core/ray.glsl"
 
-#include "layout/hit.glsl"
+#include "core/hit.glsl"
 
-#include "layout/view.glsl"
+#include "core/view.glsl"
 };
+#undef precise
 
 using Ray = Layout<float>::Ray;
 using Hit = Layout<float>::Hit;

@@ -1,6 +1,6 @@
 #include "gpu/context.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/gl.h"
 
 namespace raysteps {

@@ -1,8 +1,8 @@
 #include "gpu/draw.h"
 
-#include "error/error.h"
-#include "gpu/check_gl.h"
+#include "basics/error.h"
 #include "gpu/framebuffer.h"
+#include "gpu/gl.h"
 
 #include <cassert>
 
@@ -76,6 +76,20 @@ void clear(const Texture& texture) {
         glClearBufferfv(GL_COLOR, 0, zeros);
     }
     check_gl("clearing a texture");
+}
+
+void add_points(const Program& program, const Texture& texture, int count) {
+    const Framebuffer framebuffer;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+    const GLenum buffer = GL_COLOR_ATTACHMENT0;
+    glDrawBuffers(1, &buffer);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    program.use();
+    glViewport(0, 0, texture.width(), texture.height());
+    glDrawArrays(GL_POINTS, 0, count);
+    glDisable(GL_BLEND);
+    check_gl("adding points");
 }
 
 } // namespace raysteps

@@ -35,4 +35,9 @@ void draw(const Program& program, const Targets& targets);
 // Sets every texel to zero.
 void clear(const Texture& texture);
 
+// Runs the program once for each of `count` vertices, as points of one pixel wherever its vertex
+// pass puts them, and adds what it draws to the texture. Points are added in their order, so the
+// sums are the same each time.
+void add_points(const Program& program, const Texture& texture, int count);
+
 } // namespace raysteps

@@ -1,6 +1,6 @@
 #include "gpu/limits.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/draw.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr int least_loop_budget = 8192;
 
 int measure_loop_budget() {
-    Program program("pass/probe_loop.frag");
+    Program program("pass/trace/probe_loop.frag");
     program.set("rounds", no_loop_limit);
     const Texture counted(TexelFormat::rgba32ui, 4, 4);
     draw(program, {{counted}});
@@ -33,7 +33,7 @@ void check_bits() {
     const std::array<glm::uvec4, 1> bits{glm::uvec4{1u, 0x7fc00001u, 0xffffffffu, 0x80000000u}};
     const Texture texture(TexelFormat::rgba32ui, 1, 1);
     write_texels(texture, bits);
-    Program program("pass/probe_bits.frag");
+    Program program("pass/trace/probe_bits.frag");
     program.set("bits", texture);
     const Texture copied(TexelFormat::rgba32ui, 1, 1);
     draw(program, {{copied}});

@@ -1,6 +1,6 @@
 #include "gpu/live_mask.h"
 
-#include "gpu/check_gl.h"
+#include "gpu/gl.h"
 #include "gpu/draw.h"
 #include "gpu/framebuffer.h"
 

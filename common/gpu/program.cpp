@@ -1,7 +1,7 @@
 #include "gpu/program.h"
 
-#include "error/error.h"
-#include "gpu/check_gl.h"
+#include "basics/error.h"
+#include "gpu/gl.h"
 
 #include <utility>
 
@@ -57,7 +57,7 @@ std::string vertex_pass_of(const std::string& fragment_pass) {
 }
 
 Program::Program(const std::string& fragment_pass, Parts parts) {
-    parts.try_emplace("real", "layout/real_float.glsl");
+    parts.try_emplace("real", "real/float.glsl");
     const std::string vertex_pass = vertex_pass_of(fragment_pass);
     const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_pass, parts);
     GLuint fragment = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/gl.h"
-#include "gpu/read_shader.h"
+#include "gpu/shaders.h"
 #include "gpu/texture.h"
 
 #include <glm/vec2.hpp>

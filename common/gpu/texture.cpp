@@ -1,7 +1,7 @@
 #include "gpu/texture.h"
 
-#include "error/error.h"
-#include "gpu/check_gl.h"
+#include "basics/error.h"
+#include "gpu/gl.h"
 
 #include <cassert>
 #include <string>

@@ -1,7 +1,7 @@
 #include "hard_cases/garbage.h"
 
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 
 #include <algorithm>
 #include <array>

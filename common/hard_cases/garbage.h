@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hard_cases/hard_case.h"
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 
 namespace raysteps {
 

@@ -1,8 +1,7 @@
-#include "hard_cases/across_cells.h"
+#include "hard_cases/meshes.h"
 #include "hard_cases/case_lists.h"
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/loose_triangles.h"
-#include "structure/build_grid.h"
+#include "hard_cases/aimed_rays.h"
+#include "structure/grid/build_grid.h"
 
 #include <algorithm>
 

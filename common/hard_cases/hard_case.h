@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "basics/ray.h"
 #include "scene/mesh.h"
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct HardRequest {
 enum class Truth {
     all_hit,  // every ray hits something
     all_miss, // no ray hits anything
-    exact,    // the triangle that exact arithmetic finds (reference/exact_nearest.h)
+    exact,    // the triangle that exact arithmetic finds (reference/exact.h)
     the_loop, // what the loop over every triangle finds: the case is one of structures
     answered, // nothing is promised of the answer, but that there is one and the walk ends
 };

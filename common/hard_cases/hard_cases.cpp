@@ -1,6 +1,6 @@
 #include "hard_cases/hard_cases.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "hard_cases/case_lists.h"
 #include "scene/frame_scene.h"
 

@@ -1,12 +1,8 @@
-#include "hard_cases/across_cells.h"
+#include "hard_cases/meshes.h"
 #include "hard_cases/case_lists.h"
-#include "hard_cases/closed_meshes.h"
-#include "hard_cases/deep_trees.h"
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/split_plane_rays.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
-#include "structure/build_kd_tree.h"
+#include "structure/kd_tree/build_kd_tree.h"
 
 namespace raysteps {
 

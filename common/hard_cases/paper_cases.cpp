@@ -1,8 +1,6 @@
 #include "hard_cases/case_lists.h"
-#include "hard_cases/closed_meshes.h"
-#include "hard_cases/coincident.h"
-#include "hard_cases/leak_rays.h"
-#include "hard_cases/loose_triangles.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 
 #include <cmath>

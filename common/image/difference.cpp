@@ -1,8 +1,7 @@
 #include "image/difference.h"
 
-#include "error/error.h"
-#include "image/check_image.h"
-#include "image/count_nan_pixels.h"
+#include "basics/error.h"
+#include "image/image.h"
 
 #include <algorithm>
 #include <cmath>

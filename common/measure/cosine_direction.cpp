@@ -1,4 +1,4 @@
-#include "geometry/cosine_direction.h"
+#include "measure/cosine_direction.h"
 
 #include <glm/geometric.hpp>
 

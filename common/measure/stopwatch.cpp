@@ -1,4 +1,4 @@
-#include "compare/stopwatch.h"
+#include "measure/stopwatch.h"
 
 #include <sys/resource.h>
 

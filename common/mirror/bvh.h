@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "structure/bvh_pack.h"
+#include "structure/bvh/bvh.h"
 
 namespace raysteps::mirror {
 
@@ -9,36 +9,36 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct BvhSkip {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_skip.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_skip.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhSkipPadded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_skip_padded.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_skip_padded.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhOrdered {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_ordered.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_ordered.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhParent {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_parent.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_parent.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhStack {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_stack.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_stack.glsl"
 #include "mirror/parts.inc"
 };
 

@@ -10,30 +10,26 @@ using glm::cos;
 using glm::log2;
 using glm::pow;
 using glm::sin;
-using uint = unsigned;
 
 // The parts of chapter 09 as members, over the loop over every triangle.
 template <class Real>
 struct EffectParts {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 #define uniform
 #define precise
 // clang-format off
-#include "geometry/samples.glsl"
-#include "geometry/lens.glsl"
-#include "layout/glass.glsl"
-#include "layout/media.glsl"
-#include "layout/gloss.glsl"
-#include "layout/pictures.glsl"
-#include "layout/sky.glsl"
-#include "shading/sky.glsl"
-#include "shading/fresnel.glsl"
-#include "shading/glass.glsl"
-#include "shading/absorption.glsl"
-#include "shading/highlight.glsl"
-#include "shading/picture.glsl"
+#include "light/samples.glsl"
+#include "light/lens.glsl"
+#include "light/glass_materials.glsl"
+#include "light/media.glsl"
+#include "light/highlight.glsl"
+#include "light/texture.glsl"
+#include "light/sky.glsl"
+#include "light/fresnel.glsl"
+#include "light/glass.glsl"
+#include "light/absorption.glsl"
 // clang-format on
 #undef uniform
 #undef precise

@@ -8,14 +8,14 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct EveryTriangleWatertight {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTriangleMoellerTrumbore {
-#define TRIANGLE_PART "geometry/triangle_moeller_trumbore.glsl"
+#define TRIANGLE_PART "triangle/moeller_trumbore.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };

@@ -24,6 +24,7 @@ using glm::sqrt;
 using glm::uvec4;
 using glm::vec3;
 using glm::vec4;
+using uint = unsigned;
 
 // The names are GLSL's own.
 // NOLINTBEGIN(readability-identifier-naming)
@@ -57,6 +58,14 @@ inline int floatBitsToInt(float value) {
 }
 
 inline float intBitsToFloat(int bits) {
+    return std::bit_cast<float>(bits);
+}
+
+inline unsigned floatBitsToUint(float value) {
+    return std::bit_cast<unsigned>(value);
+}
+
+inline float uintBitsToFloat(unsigned bits) {
     return std::bit_cast<float>(bits);
 }
 // NOLINTEND(readability-identifier-naming)

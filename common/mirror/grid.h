@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "structure/grid.h"
+#include "structure/grid/grid.h"
 
 namespace raysteps::mirror {
 
@@ -9,15 +9,15 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct GridWatertight {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct GridMailboxWatertight {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid_mailbox.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid_mailbox.glsl"
 #include "mirror/parts.inc"
 };
 
@@ -25,16 +25,16 @@ struct GridMailboxWatertight {
 
 template <class Real>
 struct GridCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct GridMailboxCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid_mailbox.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid_mailbox.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };

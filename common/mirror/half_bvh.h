@@ -9,8 +9,8 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct HalfBvh {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/half_bvh.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/half_bvh.glsl"
 #include "mirror/parts.inc"
 };
 

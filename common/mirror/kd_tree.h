@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "structure/kd_pack.h"
+#include "structure/kd_tree/kd_tree.h"
 
 namespace raysteps::mirror {
 
@@ -11,32 +11,32 @@ namespace raysteps::mirror {
 template <class Real>
 struct KdRestart {
     static_assert(sizeof(Real) == sizeof(float));
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_restart.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_restart.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdBacktrack {
     static_assert(sizeof(Real) == sizeof(float));
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_backtrack.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_backtrack.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdShortStack {
     static_assert(sizeof(Real) == sizeof(float));
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_short_stack.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_short_stack.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdRopesWalk {
     static_assert(sizeof(Real) == sizeof(float));
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_ropes.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_ropes.glsl"
 #include "mirror/parts.inc"
 };
 

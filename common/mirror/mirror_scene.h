@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "basics/ray.h"
 #include "mirror/glsl_language.h"
 #include "scene/pack_scene.h"
 #include "scene/scene.h"

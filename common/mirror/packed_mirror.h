@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "structure/packed_structure.h"
+#include "structure/structure.h"
 
 namespace raysteps::mirror {
 

@@ -8,35 +8,35 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct EveryTriangleRounded {
-#define TRIANGLE_PART "geometry/triangle_watertight_rounded.glsl"
+#define TRIANGLE_PART "triangle/watertight_rounded.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTrianglePaperRepaired {
-#define TRIANGLE_PART "geometry/triangle_paper_repaired.glsl"
+#define TRIANGLE_PART "triangle/paper_repaired.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTrianglePaperCulling {
-#define TRIANGLE_PART "geometry/triangle_paper_culling.glsl"
+#define TRIANGLE_PART "triangle/paper_culling.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTrianglePaperTwoSided {
-#define TRIANGLE_PART "geometry/triangle_paper_two_sided.glsl"
+#define TRIANGLE_PART "triangle/paper_two_sided.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTrianglePaperWrongDepth {
-#define TRIANGLE_PART "geometry/triangle_paper_wrong_depth.glsl"
+#define TRIANGLE_PART "triangle/paper_wrong_depth.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };

@@ -1,9 +1,9 @@
-#include "command/command.h"
+#include "program/command.h"
 
-#include "command/parse_options.h"
-#include "error/error.h"
-#include "parse/parse_camera.h"
-#include "parse/parse_size.h"
+#include "program/parse_options.h"
+#include "basics/error.h"
+#include "scene/camera_text.h"
+#include "basics/text.h"
 #include "scene/load_scene.h"
 
 #include <cstdio>

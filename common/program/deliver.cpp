@@ -1,9 +1,8 @@
-#include "command/deliver.h"
+#include "program/deliver.h"
 
-#include "error/error.h"
-#include "file/write_file.h"
-#include "image/write_pfm.h"
-#include "image/write_png.h"
+#include "basics/error.h"
+#include "basics/file.h"
+#include "image/image_file.h"
 
 #include <cctype>
 #include <iostream>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "command/command.h"
+#include "program/command.h"
 #include "image/image.h"
-#include "window/show_in_window.h"
+#include "program/window/show_in_window.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
-#include "command/measure_command.h"
+#include "program/measure_command.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/tracing_options.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
 
 #include <iostream>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "command/command.h"
+#include "program/command.h"
 #include "measure/measure_structures.h"
 
 namespace raysteps {

@@ -1,6 +1,6 @@
-#include "command/parse_options.h"
+#include "program/parse_options.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 namespace raysteps {
 

@@ -1,4 +1,4 @@
-#include "command/progress.h"
+#include "program/progress.h"
 
 #include <unistd.h>
 

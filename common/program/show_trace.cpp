@@ -1,14 +1,14 @@
-#include "command/show_trace.h"
+#include "program/show_trace.h"
 
-#include "command/deliver.h"
-#include "command/timed_trace.h"
-#include "command/tracing_options.h"
-#include "error/error.h"
-#include "gpu/shader_catalog.h"
+#include "program/deliver.h"
+#include "program/timed_trace.h"
+#include "program/tracing_options.h"
+#include "basics/error.h"
+#include "gpu/shaders.h"
 #include "image/heat_map.h"
-#include "render/generate_rays.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
-#include "report/summary.h"
+#include "measure/statistics.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
-#include "command/timed_trace.h"
+#include "program/timed_trace.h"
 
-#include "command/deliver.h"
-#include "command/progress.h"
-#include "command/tracing_options.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "program/tracing_options.h"
 #include "scene/ray_file.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "command/command.h"
+#include "program/command.h"
 #include "render/trace_rays.h"
 
 namespace raysteps {

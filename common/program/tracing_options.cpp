@@ -1,11 +1,10 @@
-#include "command/tracing_options.h"
+#include "program/tracing_options.h"
 
-#include "command/progress.h"
-#include "error/error.h"
-#include "gpu/shader_catalog.h"
-#include "structure/build_choices.h"
-#include "structure/families.h"
-#include "structure/reach.h"
+#include "program/progress.h"
+#include "basics/error.h"
+#include "gpu/shaders.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "command/command.h"
-#include "geometry/layout.h"
-#include "gpu/read_shader.h"
-#include "structure/structure_family.h"
+#include "program/command.h"
+#include "basics/ray.h"
+#include "gpu/shaders.h"
+#include "structure/structure.h"
 
 #include <span>
 

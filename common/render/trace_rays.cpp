@@ -1,6 +1,6 @@
 #include "render/trace_rays.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/draw.h"
 
 #include <algorithm>
@@ -64,8 +64,8 @@ TraceRays::TraceRays(Parts parts, const Limits& limits)
                 std::min(usual_rounds_per_launch, limits.loop_budget / rays_side_by_side)) {}
 
 TraceRays::TraceRays(Parts parts, int rounds_per_launch)
-    : trace_("pass/trace.frag", with_defaults(parts)),
-      select_unfinished_("pass/select_unfinished.frag"), rounds_per_launch_(rounds_per_launch),
+    : trace_("pass/trace/trace.frag", with_defaults(parts)),
+      select_unfinished_("pass/select/select_unfinished.frag"), rounds_per_launch_(rounds_per_launch),
       observed_(parts.contains("observer") && parts.at("observer") != nobody) {}
 
 Texture TraceRays::closest_hits(const RayTextures& rays, const SceneTextures& scene,

@@ -3,7 +3,7 @@
 #include "gpu/limits.h"
 #include "gpu/live_mask.h"
 #include "gpu/program.h"
-#include "render/ray_textures.h"
+#include "render/rays.h"
 #include "render/scene_textures.h"
 
 #include <functional>
@@ -20,14 +20,14 @@ using Progress = std::function<void(double part_done)>;
 // Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010.
 class TraceRays {
 public:
-    // The parts fill the slots <triangle>, <structure> and <observer> of pass/trace.frag; an
+    // The parts fill the slots <triangle>, <structure> and <observer> of pass/trace/trace.frag; an
     // observer that nobody names is nobody, and a structure that nobody names is every_triangle.
     TraceRays(Parts parts, const Limits& limits);
 
     // For tests: launches of so many rounds, however many the loops can bear.
     TraceRays(Parts parts, int rounds_per_launch);
 
-    // A texture of hits as layout/hit_texel.glsl has them. Where a mask is given, only its live
+    // A texture of hits as core/texels.glsl has them. Where a mask is given, only its live
     // pixels are traced, and the others hold nothing of meaning.
     Texture closest_hits(const RayTextures& rays, const SceneTextures& scene,
                          const LiveMask* live = nullptr);

@@ -1,12 +1,12 @@
 #include "scene/load_scene.h"
 
-#include "error/error.h"
-#include "file/read_file.h"
+#include "basics/error.h"
+#include "basics/file.h"
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
-#include "scene/load_obj.h"
-#include "scene/sample_scenes.h"
-#include "scene/toml_scene.h"
+#include "scene/obj/load_obj.h"
+#include "scene/samples/sample_scenes.h"
+#include "scene/toml/toml_scene.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -60,6 +60,33 @@ Scene load_scene(const std::string& name, float aspect_ratio) {
             ". Give a file that ends in .obj or .toml.");
     }
     return make_sample_scene(name, aspect_ratio); // which says that there is no such scene
+}
+
+namespace {
+
+constexpr std::size_t column_width = 22;
+
+std::string line_of(const SampleScene& sample) {
+    std::string name(sample.name);
+    std::string ranges;
+    for (const SampleParameter& parameter : sample.parameters) {
+        name += ":" + std::string(parameter.name);
+        ranges += "; " + std::string(parameter.name) + " is " + std::to_string(parameter.lowest) +
+                  " to " + std::to_string(parameter.highest) + ", else " +
+                  std::to_string(parameter.usual);
+    }
+    name.resize(column_width, ' ');
+    return name + std::string(sample.description) + ranges + "\n";
+}
+
+} // namespace
+
+std::string list_scenes() {
+    std::string lines;
+    for (const SampleScene& sample : sample_scenes()) {
+        lines += line_of(sample);
+    }
+    return lines;
 }
 
 } // namespace raysteps

@@ -4,6 +4,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace raysteps {
@@ -20,5 +22,19 @@ Mesh join(Mesh first, const Mesh& second);
 
 // The scene with the mesh behind its triangles and the material behind its materials.
 Scene add_mesh(Scene scene, const Mesh& mesh, const Material& material);
+
+inline constexpr std::int64_t flat = -1;
+
+// Twice the area of the triangle a, b, c is the length of this vector, which stands upright on it
+// on the side where the corners run counter-clockwise. In double, because the squares and products
+// of coordinates up to 1.8e18 are no floats.
+glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+// The normal of unit length at each corner; corners 3i, 3i + 1 and 3i + 2 are a triangle, which has
+// an area. Corners with the same surface get one normal: those of their triangles, weighted by the
+// angles there (Thuermer and Wuethrich, "Computing Vertex Normals from Polygonal Facets", 1998).
+// Where these cancel out, and where the surface is `flat`, it is the triangle's own.
+std::vector<glm::vec3> corner_normals(std::span<const glm::vec3> corners,
+                                      std::span<const std::int64_t> surfaces);
 
 } // namespace raysteps

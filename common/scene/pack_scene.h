@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/material.h"
+#include "scene/scene.h"
 
 #include <glm/vec4.hpp>
 
@@ -9,11 +9,14 @@
 
 namespace raysteps {
 
-// The texels that the kernels and their mirror read, as layout/triangles.glsl and
-// layout/surfaces.glsl say. The fourth number of a texel is 0 where nothing is said of it.
+// The texels that the kernels and their mirror read, as core/triangles.glsl and
+// light/materials.glsl say. The fourth number of a texel is 0 where nothing is said of it.
 std::vector<glm::vec4> pack_vectors(std::span<const glm::vec3> vectors);
 
 // Three texels a material: diffuse; specular, and 1 in w where it is a mirror; emission.
 std::vector<glm::vec4> pack_materials(std::span<const Material> materials);
+
+// The texels of light/glass_materials.glsl, two a material.
+std::vector<glm::vec4> pack_glass(const Scene& scene);
 
 } // namespace raysteps

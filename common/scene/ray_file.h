@@ -1,9 +1,11 @@
 #pragma once
 
-#include "geometry/layout.h"
+#include "basics/ray.h"
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace raysteps {
@@ -19,5 +21,8 @@ std::vector<Ray> read_ray_file(const std::filesystem::path& path);
 // A .csv file with the columns t, u, v, triangle, or any other file as 16 bytes a hit: t, u, v as
 // little-endian float32 and the triangle as int32, -1 for none. Throws InputError.
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits);
+
+// Rays from the text of a .csv file; the path is named where it is wrong. Throws InputError.
+std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path);
 
 } // namespace raysteps

@@ -1,10 +1,5 @@
 #pragma once
 
-#include "scene/camera.h"
-#include "scene/light.h"
-#include "scene/material.h"
-#include "scene/sky.h"
-
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -14,6 +9,88 @@
 #include <vector>
 
 namespace raysteps {
+
+// Looks from eye to target. The angle is the vertical field of view, in degrees, over 0 and under
+// 180; eye and target differ, and up is not parallel to the line between them.
+struct Camera {
+    glm::vec3 eye{0.0f, 0.0f, 5.0f};
+    glm::vec3 target{0.0f, 0.0f, 0.0f};
+    glm::vec3 up{0.0f, 1.0f, 0.0f};
+    float vertical_field_of_view = 40.0f;
+    float aperture = 0.0f;       // of the lens, its diameter; 0 is a pinhole, which is all sharp
+    float focus_distance = 0.0f; // of the sharp plane from the eye; 0 is the target's
+    int samples = 0;             // rays a pixel; 0 is as many as the scene calls for
+};
+
+// A point that shines equally in all directions, and equally strong at every distance, as in the
+// paper: a surface shows (N.L) * colour of the surface * colour of the light. With both edges it is
+// a parallelogram around the position, and its colour is that of all its points together.
+struct Light {
+    glm::vec3 position{0.0f};
+    glm::vec3 color{1.0f};
+    glm::vec3 across{0.0f}; // the edges of the parallelogram; zero for a point
+    glm::vec3 along{0.0f};
+};
+
+inline bool has_area(const Light& light) {
+    return light.across != glm::vec3(0.0f) || light.along != glm::vec3(0.0f);
+}
+
+// What an MTL file says of a surface; the letters are the file's own (Wavefront, "MTL material
+// format", 1995). Colours are linear RGB.
+struct Material {
+    std::string name = "default";
+    glm::vec3 diffuse{0.8f};       // Kd
+    glm::vec3 specular{0.0f};      // Ks: also the colour of a mirror
+    float shininess = 0.0f;        // Ns
+    glm::vec3 emission{0.0f};      // Ke
+    float refractive_index = 1.0f; // Ni
+    float opacity = 1.0f;          // d, or 1 - Tr
+    glm::vec3 transmission{1.0f};  // Tf
+    int illumination_model = 1;    // illum
+    std::string diffuse_map;       // map_Kd: path of the picture, empty where there is none
+};
+
+// The illumination models 3 to 7 and 9 ask for ray-traced reflection; without a specular colour it
+// is black.
+inline bool is_mirror(const Material& material) {
+    const int model = material.illumination_model;
+    return ((model >= 3 && model <= 7) || model == 9) && material.specular != glm::vec3(0.0f);
+}
+
+// What a material calls for, by the statements of its MTL file.
+
+// The part of the light that a surface lets through: 1 - d where d is under 1; else all of it where
+// the illumination model asks for transparency (4, 6, 7 and 9), and nothing where it does not.
+float transparency(const Material& material);
+
+inline bool is_glass(const Material& material) {
+    return transparency(material) > 0.0f;
+}
+
+// Does it swallow light on the way through (Tf)?
+inline bool absorbs(const Material& material) {
+    return is_glass(material) && material.transmission != glm::vec3(1.0f);
+}
+
+// The illumination models from 2 on ask for highlights; without a colour or an exponent they are
+// none.
+inline bool has_highlight(const Material& material) {
+    return material.illumination_model >= 2 && material.specular != glm::vec3(0.0f) &&
+           material.shininess > 0.0f;
+}
+
+inline bool has_picture(const Material& material) {
+    return !material.diffuse_map.empty();
+}
+
+// What a ray sees that leaves the scene, by its direction: the horizon where it runs level, the
+// zenith straight up, the ground straight down, and mixtures between. Linear RGB.
+struct Sky {
+    glm::vec3 zenith{0.0f};
+    glm::vec3 horizon{0.0f};
+    glm::vec3 ground{0.0f};
+};
 
 // An OBJ file in a scene, and where it stands.
 struct Model {

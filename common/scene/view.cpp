@@ -1,6 +1,5 @@
 #include "scene/view.h"
 
-#include "scene/view_frame.h"
 
 #include <glm/trigonometric.hpp>
 

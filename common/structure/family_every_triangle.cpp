@@ -1,4 +1,4 @@
-#include "structure/structure_family.h"
+#include "structure/structure.h"
 
 namespace raysteps {
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "geometry/box.h"
+#include "basics/box.h"
+#include "basics/ray.h"
+
+#include <span>
 
 namespace raysteps {
 
@@ -9,7 +12,7 @@ namespace raysteps {
 //
 // Let e = 2^-24, the most by which single precision rounds, and M the greatest distance along one
 // axis from a ray's origin to a corner or to a plane of the structure (the reach). A hit of
-// geometry/triangle_watertight.glsl at t has a point P of its triangle with |origin + t * direction
+// triangle/watertight.glsl at t has a point P of its triangle with |origin + t * direction
 // - P| <= 23 e M along each axis: 6 e M from the sheared corners, 17 e M from the shares and the
 // sum that makes t (docs/numerics.md has each term). A plane's distance (plane - origin) /
 // direction is rounded twice, which is 2 e M. So P lies within 25 e M of the cell that the walk
@@ -24,5 +27,11 @@ double usual_reach(const Box& bounds, double asked);
 // The box with its sides moved outwards by the padding and then to the next number outside, so that
 // rounding takes nothing away.
 Box pad(const Box& box, double padding);
+
+// The greatest distance along one axis from the point to a corner: what BuildRequest asks for.
+float reach_of(const glm::vec3& point, std::span<const glm::vec3> corners);
+
+// The greatest over the origins of all rays.
+float reach_of(std::span<const Ray> rays, std::span<const glm::vec3> corners);
 
 } // namespace raysteps

@@ -45,10 +45,10 @@ class Engine:
         default_factory=lambda: sandbox.Limits(seconds=600, cpu_seconds=1200, processes=4096))
 
     def shaders_program(self):
-        return self.build / "common" / "course_shaders" / "course_shaders"
+        return self.build / "scripts" / "course" / "answers" / "course_shaders"
 
     def builders_program(self):
-        return self.build / "common" / "course" / "course_builders"
+        return self.build / "scripts" / "course" / "answers" / "course_builders"
 
 
 def _is_older(program, folders):
@@ -62,7 +62,7 @@ def _is_older(program, folders):
 def ensure_programs(engine):
     """Builds what is missing or out of date, by CMake as everything else is."""
     programs = [engine.shaders_program(), engine.builders_program()]
-    if not any(_is_older(program, ["common"]) for program in programs):
+    if not any(_is_older(program, ["common", "scripts/course/answers"]) for program in programs):
         return
     print("course: building the programs that check, which takes minutes the first time (see "
           "build/course/build.log)", file=sys.stderr)
@@ -94,7 +94,7 @@ def locked(path):
 
 def _environment(chapter, overlay, scratch):
     folders = [overlay] if overlay else []
-    folders += [ROOT / "chapters" / chapter / "exercises", ROOT / "common" / "course_shaders" / "shaders"]
+    folders += [ROOT / "chapters" / chapter / "exercises", ROOT / "scripts" / "course" / "answers" / "shaders"]
     kept = {key: os.environ[key] for key in ("PATH", "LANG", "LD_LIBRARY_PATH") if key in os.environ}
     return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch), "MESA_SHADER_CACHE_DISABLE": "true",
             "RAYSTEPS_SHADERS": ":".join(str(folder) for folder in folders)}
@@ -210,7 +210,7 @@ def build_with(engine, overlay):
             return Failure("time", "took too long to compile.")
         if outcome.code != 0:
             return Failure("compile", _compiler_messages(outcome.output + outcome.errors))
-    return folder / "common" / "course" / "course_builders"
+    return folder / "scripts" / "course" / "answers" / "course_builders"
 
 
 def _compiler_messages(text):

@@ -10,7 +10,7 @@ from .view import wrong_ray
 RAY = {"origin": (0, 1, 2), "direction": (3, 4, 5), "t_min": (6,), "t_max": (7,)}
 MOST_BOXES = 4  # more are not printed
 
-# The rays of a picture come as two texels each (shaders/layout/ray_texels.glsl).
+# The rays of a picture come as two texels each (shaders/core/texels.glsl).
 TEXELS = {1: ("origin x", "origin y", "origin z", "t_min"),
           2: ("direction x", "direction y", "direction z", "t_max")}
 

@@ -1,5 +1,5 @@
 // The two questions that a ray tracer asks, over whichever structure there is. A GPU asks them in
-// launches (pass/trace.frag); this is the whole walk at once.
+// launches (pass/trace/trace.frag); this is the whole walk at once.
 
 Hit find_hit(Ray ray, real near_enough) {
     Walk walk = start_walk(ray);

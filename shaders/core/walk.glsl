@@ -5,3 +5,18 @@ struct Walk {
     ivec3 place; // where it goes on; what the numbers mean is the structure's own affair
     bool ended;
 };
+
+// How a walk lies in two texels of integers: the hit as core/texels.glsl has it; the place,
+// with 1 in w where the walk has ended.
+
+uvec4 pack_place(Walk walk) {
+    return uvec4(uint(walk.place.x), uint(walk.place.y), uint(walk.place.z), walk.ended ? 1u : 0u);
+}
+
+Walk unpack_walk(uvec4 hit_texel, uvec4 place_texel) {
+    Walk walk;
+    walk.nearest = unpack_hit(hit_texel);
+    walk.place = ivec3(int(place_texel.x), int(place_texel.y), int(place_texel.z));
+    walk.ended = place_texel.w != 0u;
+    return walk;
+}

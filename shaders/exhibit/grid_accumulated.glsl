@@ -1,12 +1,11 @@
-// An exhibit: the walk of geometry/grid_walk.glsl with crossings that are added up, step by step,
+// An exhibit: the walk of structure/grid/grid_walk.glsl with crossings that are added up, step by step,
 // as the published algorithm has it. Each sum is rounded, so the crossings drift, and with enough
 // cells the walk leaves the cells that the ray goes through. (A new launch starts the sums anew, so
 // here the drift is of one launch at most.) Not among the structures of --structure, which all give
 // the same hits. Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 // 1987.
-#include "layout/grid.glsl"
-#include "geometry/grid_plane.glsl"
-#include "geometry/grid_crossing.glsl"
+#include "structure/grid/grid_plane.glsl"
+#include "structure/grid/grid_cells.glsl"
 
 Walk start_walk(Ray ray) {
     Walk walk;

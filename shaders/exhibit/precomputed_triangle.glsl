@@ -1,9 +1,9 @@
 // Where does this ray meet this triangle? From a map that was computed beforehand
-// (layout/transforms.glsl), so that the corners are not needed. Fast, and each triangle rounds its
+// (exhibit/transforms.glsl), so that the corners are not needed. Fast, and each triangle rounds its
 // edges by itself: not watertight. No part of the slot <triangle>, since only those who upload the
 // maps can use it. Source: Baldwin and Weber, "Fast Ray-Triangle Intersections by Coordinate
 // Transformation", 2016.
-#include "layout/transforms.glsl"
+#include "exhibit/transforms.glsl"
 
 struct PreparedRay {
     Ray ray;

@@ -17,7 +17,7 @@ bool meets_outside(Ray ray, Hit hit) {
 }
 
 // The origin of rays that leave on the other side. The surface's origin lies at most 33 e M from
-// where it should (geometry/leave_surface.glsl); this adds one rounding of a number up to 2 M, and
+// where it should (light/leave_surface.glsl); this adds one rounding of a number up to 2 M, and
 // 64 e M keeps clear of both.
 real3 origin_behind(Surface surface, Hit hit) {
     real distance =

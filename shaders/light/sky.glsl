@@ -1,3 +1,8 @@
+// What a ray sees that leaves the scene.
+uniform vec3 sky_zenith;
+uniform vec3 sky_horizon;
+uniform vec3 sky_ground;
+
 // The sky by the height of a direction: its sine over the horizon. The ground is reached four times
 // as fast as the zenith: haze is thin below.
 

@@ -1,5 +1,5 @@
 // As little as rounding allows, by a bound: the way of chapter 03.
-#include "geometry/leave_surface.glsl"
+#include "light/leave_surface.glsl"
 
 const float leaving_t_min = 0.0f;
 

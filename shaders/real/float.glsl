@@ -2,7 +2,7 @@
 #define real float
 #define real3 vec3
 
-// Splits a number in two halves of 12 digits: 2^12 + 1 (geometry/exact_area.glsl).
+// Splits a number in two halves of 12 digits: 2^12 + 1 (triangle/watertight/exact_area.glsl).
 const real split_factor = 4097.0f;
 
 // 2^-76: a product that is greater has a missing part, a multiple of 2^-48 of it, that is no

@@ -1,8 +1,8 @@
 // A slab test that saves a subtraction a plane: plane * inverse - origin * inverse, where the
 // second product is made once a ray. It is rounded by the size of the coordinates, not by that of
 // the distance, so far from zero it misses boxes, and what cancels is lost.
-#include "geometry/box_ray.glsl"
-#include "geometry/near_planes.glsl"
+#include "structure/bvh/box_ray.glsl"
+#include "slab/near_planes.glsl"
 
 struct SlabRay {
     BoxRay ray;

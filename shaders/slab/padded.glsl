@@ -1,7 +1,7 @@
 // The same with an exit that is 2 units in the last place later.
-#include "geometry/box_ray.glsl"
-#include "geometry/box_padded.glsl"
-#include "geometry/near_planes.glsl"
+#include "structure/bvh/box_ray.glsl"
+#include "structure/bvh/box_padded.glsl"
+#include "slab/near_planes.glsl"
 
 struct SlabRay {
     BoxRay ray;

@@ -1,8 +1,8 @@
 // The slab test of the walks through hierarchies: planes chosen by the direction, (plane - origin)
 // * inverse, no room for rounding.
-#include "geometry/box_ray.glsl"
-#include "geometry/box_plain.glsl"
-#include "geometry/near_planes.glsl"
+#include "structure/bvh/box_ray.glsl"
+#include "structure/bvh/box_plain.glsl"
+#include "slab/near_planes.glsl"
 
 struct SlabRay {
     BoxRay ray;

@@ -1,6 +1,6 @@
 // The listing with its test of det in force (slip 6): back faces are gone for every ray, shadow
 // rays too.
-#include "geometry/paper_listing.glsl"
+#include "triangle/paper/listing.glsl"
 
 Hit intersect_triangle(PreparedRay prepared, real3 a, real3 b, real3 c, int triangle) {
     PaperTerms terms = paper_terms(prepared.ray, a, b, c);

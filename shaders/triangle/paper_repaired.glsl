@@ -1,6 +1,6 @@
 // The listing with q for the cross product. The test of det is overwritten (slip 5), so nothing is
 // culled.
-#include "geometry/paper_listing.glsl"
+#include "triangle/paper/listing.glsl"
 
 Hit intersect_triangle(PreparedRay prepared, real3 a, real3 b, real3 c, int triangle) {
     PaperTerms terms = paper_terms(prepared.ray, a, b, c);

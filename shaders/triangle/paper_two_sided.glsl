@@ -1,6 +1,6 @@
 // The listing with both sides let through, but still its 1e-6 (slip 7): det is as long as an edge
 // times an edge, so the triangles of a small model vanish.
-#include "geometry/paper_listing.glsl"
+#include "triangle/paper/listing.glsl"
 
 Hit intersect_triangle(PreparedRay prepared, real3 a, real3 b, real3 c, int triangle) {
     PaperTerms terms = paper_terms(prepared.ray, a, b, c);

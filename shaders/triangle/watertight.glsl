@@ -3,8 +3,8 @@
 // that counts, so the shares, and t with them, are right even where the ray grazes the triangle or
 // the triangle is a sliver: the hit always lies at the triangle. Structures rely on that (see
 // common/structure/padding.h).
-#include "geometry/watertight_shear.glsl"
-#include "geometry/exact_area.glsl"
+#include "triangle/watertight/shear.glsl"
+#include "triangle/watertight/exact_area.glsl"
 
 Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int triangle) {
     real3 p = sheared(ray, a);

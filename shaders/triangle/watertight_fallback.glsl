@@ -2,7 +2,7 @@
 // which its authors use it, since a zero may stand for a small area of either sign. It decides more
 // sharply who of two neighbours has an edge; nothing leaked without it. What it says of t where the
 // ray grazes a triangle is as weak as before.
-#include "geometry/watertight_shear.glsl"
+#include "triangle/watertight/shear.glsl"
 
 real rounded_area(real3 a, real3 b) {
     precise real area = a.x * b.y - a.y * b.x;

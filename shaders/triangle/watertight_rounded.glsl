@@ -2,7 +2,7 @@
 // turns a sign round: of two products, the greater rounds to no less than the smaller. So an area
 // can become zero, which counts as inside, but never wrong, and nothing leaks. But where the ray
 // grazes the triangle, little is left of the areas' digits, and t can lie anywhere along it.
-#include "geometry/watertight_shear.glsl"
+#include "triangle/watertight/shear.glsl"
 
 real rounded_area(real3 a, real3 b) {
     precise real area = a.x * b.y - a.y * b.x;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/same_bits.h"
+#include "same_bits.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "image/color_space.h"
-#include "image/read_picture.h"
+#include "image/color.h"
+#include "image/image_file.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,9 +2,9 @@
 
 #include "gpu/context.h"
 #include "render/trace_rays.h"
-#include "structure/families.h"
-#include "structure/reach.h"
-#include "support/scene_of.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
+#include "scene_of.h"
 
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ inline std::vector<Hit> gpu_hits_of(const Scene& scene, std::span<const Ray> ray
                                     const std::string& structure,
                                     const std::map<std::string, std::string>& values = {},
                                     int rounds_per_launch = 2048) {
-    TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"},
+    TraceRays trace({{"triangle", "triangle/watertight.glsl"},
                      {"structure", "structure/" + structure + ".glsl"}},
                     rounds_per_launch);
     const BuiltStructure built =

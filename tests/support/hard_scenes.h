@@ -1,7 +1,6 @@
 #pragma once
 
-#include "hard_cases/closed_meshes.h"
-#include "hard_cases/loose_triangles.h"
+#include "hard_cases/meshes.h"
 #include "scene/scene.h"
 
 // Sizes and places at which the arithmetic of a structure can go wrong.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "support/compare_hits.h"
+#include "compare_hits.h"
 
 #include <algorithm>
 
 namespace raysteps {
 
-// How many answers to rays that may be no rays (hard_cases/ray_families.h) cannot be right: a
+// How many answers to rays that may be no rays (hard_cases/aimed_rays.h) cannot be right: a
 // triangle that the scene does not have, or a hit of a ray that is empty.
 inline std::size_t count_impossible(std::span<const Hit> hits, std::span<const Ray> rays,
                                     int triangles) {

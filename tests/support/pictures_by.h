@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/generate_rays.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
 #include "scene/load_scene.h"
-#include "support/gpu_hits.h"
+#include "gpu_hits.h"
 
 #include <map>
 #include <string>
@@ -23,7 +23,7 @@ inline std::map<std::string, Image> pictures_by(const std::vector<std::string>& 
     const RayTextures rays = generate_rays(scene.camera, 256, 256, RayGeneration::direct);
     std::map<std::string, Image> pictures;
     for (const std::string& walk : walks) {
-        TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"},
+        TraceRays trace({{"triangle", "triangle/watertight.glsl"},
                          {"structure", "structure/" + walk + ".glsl"}},
                         measure_limits());
         pictures[walk] = show_hits(rays, trace.closest_hits(rays, textures), textures, scene.camera,

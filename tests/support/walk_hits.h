@@ -2,7 +2,7 @@
 
 #include "mirror/every_triangle.h"
 #include "mirror/mirror_scene.h"
-#include "support/compare_hits.h"
+#include "compare_hits.h"
 
 #include <span>
 #include <vector>

@@ -8,7 +8,7 @@ namespace raysteps {
 // The picture of a scene by the wavefront on the GPU. A context must be current.
 inline Image whitted_by_gpu(const Scene& scene, int width, int height, int max_bounces) {
     WhittedRenderer renderer(scene, upload(scene),
-                             {{"triangle", "geometry/triangle_watertight.glsl"}}, measure_limits());
+                             {{"triangle", "triangle/watertight.glsl"}}, measure_limits());
     return renderer.render(scene.camera, width, height, max_bounces);
 }
 

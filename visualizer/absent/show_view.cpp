@@ -1,7 +1,7 @@
 // Stands in for vtk/ where VTK is missing.
 #include "visualizer/show_view.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 namespace raysteps::view {
 

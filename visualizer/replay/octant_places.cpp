@@ -1,4 +1,4 @@
-#include "replay/octant_places.h"
+#include "octant_places.h"
 
 namespace raysteps {
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "structure/packed_structure.h"
+#include "structure/structure.h"
 
 #include <unordered_map>
 
 namespace raysteps {
 
-// A node of a BVH lies once in each octant's order (shaders/layout/bvh.glsl). This finds its place
+// A node of a BVH lies once in each octant's order (shaders/structure/bvh/bvh_nodes.glsl). This finds its place
 // in octant 0, for places asked in the order in which a walk comes to them: parents first.
 class OctantPlaces {
 public:

@@ -1,4 +1,4 @@
-#include "replay/parting.h"
+#include "parting.h"
 
 #include <algorithm>
 

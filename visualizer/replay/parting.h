@@ -1,6 +1,6 @@
 #pragma once
 
-#include "replay/recorded_walk.h"
+#include "recorded_walk.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "replay/octant_places.h"
-#include "replay/record_with.h"
-#include "replay/recorders.h"
+#include "octant_places.h"
+#include "record_with.h"
+#include "recorders.h"
 
 namespace raysteps {
 
@@ -8,41 +8,41 @@ namespace mirror {
 
 template <class Real>
 struct BvhSkipRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_skip.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_skip.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhSkipPaddedRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_skip_padded.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_skip_padded.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhOrderedRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_ordered.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_ordered.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhParentRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_parent.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_parent.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhStackRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_stack.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_stack.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 

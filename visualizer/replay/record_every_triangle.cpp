@@ -1,5 +1,5 @@
-#include "replay/record_with.h"
-#include "replay/recorders.h"
+#include "record_with.h"
+#include "recorders.h"
 
 namespace raysteps {
 
@@ -7,9 +7,9 @@ namespace mirror {
 
 template <class Real>
 struct EveryTriangleRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 

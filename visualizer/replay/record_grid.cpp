@@ -1,5 +1,5 @@
-#include "replay/record_with.h"
-#include "replay/recorders.h"
+#include "record_with.h"
+#include "recorders.h"
 
 namespace raysteps {
 
@@ -7,17 +7,17 @@ namespace mirror {
 
 template <class Real>
 struct GridRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct GridMailboxRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/grid_mailbox.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/grid/grid_mailbox.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 

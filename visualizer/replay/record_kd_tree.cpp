@@ -1,6 +1,6 @@
 #include "mirror/kd_tree.h"
-#include "replay/record_with.h"
-#include "replay/recorders.h"
+#include "record_with.h"
+#include "recorders.h"
 
 #include <algorithm>
 
@@ -10,33 +10,33 @@ namespace mirror {
 
 template <class Real>
 struct KdRestartRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_restart.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_restart.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdBacktrackRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_backtrack.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_backtrack.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdShortStackRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_short_stack.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_short_stack.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct KdRopesRecorded {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_ropes.glsl"
-#define OBSERVER_PART "replay/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_ropes.glsl"
+#define OBSERVER_PART "visualizer/replay/recorder.inc"
 #include "mirror/parts.inc"
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "mirror/packed_mirror.h"
-#include "parallel/on_threads.h"
-#include "replay/walk_event.h"
-#include "replay/walk_recorder.h"
+#include "basics/threads.h"
+#include "walk_event.h"
+#include "walk_recorder.h"
 
 #include <limits>
 #include <utility>

@@ -1,7 +1,7 @@
-#include "replay/recorded_path.h"
+#include "recorded_path.h"
 
 #include "mirror/effects.h"
-#include "scene/pack_glass.h"
+#include "scene/pack_scene.h"
 
 #include <utility>
 
@@ -27,7 +27,7 @@ struct Waiting {
     RayRole role = RayRole::camera;
     int bounce = 0;
     float part = 1.0f;                // of the light of the pixel
-    glm::uvec4 media = glm::uvec4(0); // layout/media.glsl
+    glm::uvec4 media = glm::uvec4(0); // light/media.glsl
 };
 
 // Last in, first out: the refracted ray comes first.

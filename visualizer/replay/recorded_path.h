@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "replay/walk_recorder.h"
+#include "walk_recorder.h"
 #include "scene/scene.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/layout.h"
-#include "replay/structure_cells.h"
+#include "basics/ray.h"
+#include "structure_cells.h"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "replay/walk_recorder.h"
+#include "walk_recorder.h"
 
 namespace raysteps {
 

@@ -1,4 +1,4 @@
-#include "replay/sentence.h"
+#include "sentence.h"
 
 #include <algorithm>
 #include <cstdio>

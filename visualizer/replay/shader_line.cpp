@@ -1,6 +1,6 @@
-#include "replay/shader_line.h"
+#include "shader_line.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <filesystem>
 #include <fstream>
@@ -14,24 +14,24 @@ const LineMarker loop_nearer{"structure/every_triangle.glsl", "if (is_nearer(hit
 const LineMarker loop_found{"structure/every_triangle.glsl", "found = hit.t <= near_enough;"};
 
 // Grids.
-const LineMarker grid_leaves{"geometry/grid_walk.glsl", "int axis = first_axis(leaves);"};
-const LineMarker grid_hit{"geometry/grid_walk.glsl", "ended = nearest.t < leaves[axis] ||"};
-const LineMarker grid_outside{"geometry/grid_walk.glsl", "ended = ended || i < 0 ||"};
-const LineMarker grid_found{"geometry/grid_walk.glsl", "ended = hit.t <= near_enough;"};
+const LineMarker grid_leaves{"structure/grid/grid_walk.glsl", "int axis = first_axis(leaves);"};
+const LineMarker grid_hit{"structure/grid/grid_walk.glsl", "ended = nearest.t < leaves[axis] ||"};
+const LineMarker grid_outside{"structure/grid/grid_walk.glsl", "ended = ended || i < 0 ||"};
+const LineMarker grid_found{"structure/grid/grid_walk.glsl", "ended = hit.t <= near_enough;"};
 
 // kd-trees.
-const LineMarker kd_side{"geometry/kd_descent.glsl", "taken.child = t_split <= t ?"};
-const LineMarker kd_along{"geometry/kd_descent.glsl", "taken.child = ray.origin[node.axis] <="};
-const LineMarker kd_ended{"geometry/kd_leaf.glsl", "visit.walk.ended = nearest.t < leaf.exit ||"};
-const LineMarker kd_found{"geometry/kd_leaf.glsl", "found = hit.t <= near_enough;"};
-const LineMarker kd_climbs{"structure/kd_backtrack.glsl", "while (up.exit <= t &&"};
-const LineMarker kd_touches{"structure/kd_ropes.glsl", "bool only_touched = leaf.exit <= t &&"};
+const LineMarker kd_side{"structure/kd_tree/kd_descent.glsl", "taken.child = t_split <= t ?"};
+const LineMarker kd_along{"structure/kd_tree/kd_descent.glsl", "taken.child = ray.origin[node.axis] <="};
+const LineMarker kd_ended{"structure/kd_tree/kd_leaf.glsl", "visit.walk.ended = nearest.t < leaf.exit ||"};
+const LineMarker kd_found{"structure/kd_tree/kd_leaf.glsl", "found = hit.t <= near_enough;"};
+const LineMarker kd_climbs{"structure/kd_tree/kd_backtrack.glsl", "while (up.exit <= t &&"};
+const LineMarker kd_touches{"structure/kd_tree/kd_ropes.glsl", "bool only_touched = leaf.exit <= t &&"};
 
 // Bounding volume hierarchies.
-const LineMarker bvh_nearer{"geometry/bvh_leaf.glsl", "if (is_nearer(hit, leaf.nearest)) {"};
-const LineMarker bvh_found{"geometry/bvh_leaf.glsl", "leaf.found = hit.t <= near_enough;"};
-const LineMarker box_plain{"geometry/box_plain.glsl", "return span.entry <= span.exit;"};
-const LineMarker box_padded{"geometry/box_padded.glsl", "return span.entry <= exit;"};
+const LineMarker bvh_nearer{"structure/bvh/bvh_leaf.glsl", "if (is_nearer(hit, leaf.nearest)) {"};
+const LineMarker bvh_found{"structure/bvh/bvh_leaf.glsl", "leaf.found = hit.t <= near_enough;"};
+const LineMarker box_plain{"structure/bvh/box_plain.glsl", "return span.entry <= span.exit;"};
+const LineMarker box_padded{"structure/bvh/box_padded.glsl", "return span.entry <= exit;"};
 
 LineMarker bvh_met(const std::string& file) {
     return {file, "bool met = meets_bvh_node(for_boxes, here, nearest.t);"};
@@ -44,15 +44,15 @@ struct BvhText {
 
 BvhText bvh_text(const std::string& structure) {
     if (structure == "bvh_parent") {
-        return {bvh_met("structure/bvh_parent.glsl"),
-                {"structure/bvh_parent.glsl", "node = inside ? bvh_children("}};
+        return {bvh_met("structure/bvh/bvh_parent.glsl"),
+                {"structure/bvh/bvh_parent.glsl", "node = inside ? bvh_children("}};
     }
     if (structure == "bvh_stack") {
-        return {bvh_met("structure/bvh_stack.glsl"),
-                {"structure/bvh_stack.glsl", "node = children.near;"}};
+        return {bvh_met("structure/bvh/bvh_stack.glsl"),
+                {"structure/bvh/bvh_stack.glsl", "node = children.near;"}};
     }
-    return {bvh_met("geometry/bvh_skip_walk.glsl"),
-            {"geometry/bvh_skip_walk.glsl", "node = met && !is_bvh_leaf(here) ?"}};
+    return {bvh_met("structure/bvh/bvh_skip_walk.glsl"),
+            {"structure/bvh/bvh_skip_walk.glsl", "node = met && !is_bvh_leaf(here) ?"}};
 }
 
 LineMarker grid_marker(const RecordedWalk& walk, bool is_last) {
@@ -124,7 +124,7 @@ ShaderLine find_line(const LineMarker& marker) {
         throw MachineError("shaders/" + marker.file + ": the line with `" + marker.words +
                            "` stands there " + std::to_string(times) +
                            " times, and is shown where it stands once. Restore the file, or name "
-                           "its line in common/replay/shader_line.cpp.");
+                           "its line in visualizer/replay/shader_line.cpp.");
     }
     return found;
 }

@@ -1,7 +1,7 @@
-#include "replay/structure_cells.h"
+#include "structure_cells.h"
 
-#include "geometry/grid_plane.h"
-#include "structure/bvh_item.h"
+#include "structure/grid/grid.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <bit>

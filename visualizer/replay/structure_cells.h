@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/box.h"
-#include "structure/packed_structure.h"
+#include "basics/box.h"
+#include "structure/structure.h"
 
 #include <glm/vec3.hpp>
 

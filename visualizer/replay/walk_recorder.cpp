@@ -1,7 +1,7 @@
-#include "replay/walk_recorder.h"
+#include "walk_recorder.h"
 
-#include "error/error.h"
-#include "replay/recorders.h"
+#include "basics/error.h"
+#include "recorders.h"
 
 #include <map>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "replay/recorded_walk.h"
-#include "structure/structure_family.h"
+#include "recorded_walk.h"
+#include "structure/structure.h"
 
 #include <cstdint>
 #include <functional>

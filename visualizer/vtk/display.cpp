@@ -1,4 +1,4 @@
-#include "visualizer/vtk/display.h"
+#include "display.h"
 
 #include <X11/Xlib.h>
 

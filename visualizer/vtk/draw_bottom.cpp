@@ -1,9 +1,9 @@
-#include "visualizer/vtk/draw_bottom.h"
+#include "draw_bottom.h"
 
-#include "replay/sentence.h"
-#include "replay/shader_line.h"
+#include "visualizer/replay/sentence.h"
+#include "visualizer/replay/shader_line.h"
 #include "visualizer/colors.h"
-#include "visualizer/vtk/paint.h"
+#include "paint.h"
 
 #include <algorithm>
 

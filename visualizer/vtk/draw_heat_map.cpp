@@ -1,9 +1,9 @@
-#include "visualizer/vtk/draw_heat_map.h"
+#include "draw_heat_map.h"
 
-#include "replay/sentence.h"
+#include "visualizer/replay/sentence.h"
 #include "visualizer/colors.h"
 #include "visualizer/heat.h"
-#include "visualizer/vtk/paint.h"
+#include "paint.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>

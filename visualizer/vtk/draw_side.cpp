@@ -1,10 +1,10 @@
-#include "visualizer/vtk/draw_side.h"
+#include "draw_side.h"
 
-#include "replay/sentence.h"
+#include "visualizer/replay/sentence.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/colors.h"
-#include "visualizer/vtk/draw_table.h"
-#include "visualizer/vtk/paint.h"
+#include "draw_table.h"
+#include "paint.h"
 
 #include <algorithm>
 #include <array>

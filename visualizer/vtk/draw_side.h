@@ -2,7 +2,7 @@
 
 #include "visualizer/layout.h"
 #include "visualizer/stage.h"
-#include "visualizer/vtk/drawing.h"
+#include "drawing.h"
 
 namespace raysteps::view {
 

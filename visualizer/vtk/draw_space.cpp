@@ -1,11 +1,11 @@
-#include "visualizer/vtk/draw_space.h"
+#include "draw_space.h"
 
-#include "replay/sentence.h"
-#include "structure/bvh_item.h"
+#include "visualizer/replay/sentence.h"
+#include "structure/bvh/bvh_split.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/colors.h"
-#include "visualizer/vtk/draw_walk.h"
-#include "visualizer/vtk/paint.h"
+#include "draw_walk.h"
+#include "paint.h"
 
 #include <vtkNew.h>
 

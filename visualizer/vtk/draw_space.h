@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visualizer/vtk/drawing.h"
+#include "drawing.h"
 
 namespace raysteps::view {
 

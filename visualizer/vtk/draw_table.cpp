@@ -1,9 +1,9 @@
-#include "visualizer/vtk/draw_table.h"
+#include "draw_table.h"
 
-#include "replay/sentence.h"
+#include "visualizer/replay/sentence.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/colors.h"
-#include "visualizer/vtk/paint.h"
+#include "paint.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,8 +1,8 @@
-#include "visualizer/vtk/draw_walk.h"
+#include "draw_walk.h"
 
 #include "visualizer/colors.h"
 #include "visualizer/framing.h"
-#include "visualizer/vtk/paint.h"
+#include "paint.h"
 
 #include <glm/geometric.hpp>
 #include <vtkNew.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visualizer/vtk/draw_space.h"
+#include "draw_space.h"
 
 namespace raysteps::view {
 

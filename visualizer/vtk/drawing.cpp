@@ -1,13 +1,13 @@
-#include "visualizer/vtk/drawing.h"
+#include "drawing.h"
 
 #include "visualizer/colors.h"
 #include "visualizer/framing.h"
 #include "visualizer/help.h"
-#include "visualizer/vtk/draw_bottom.h"
-#include "visualizer/vtk/draw_heat_map.h"
-#include "visualizer/vtk/draw_side.h"
-#include "visualizer/vtk/draw_space.h"
-#include "visualizer/vtk/paint.h"
+#include "draw_bottom.h"
+#include "draw_heat_map.h"
+#include "draw_side.h"
+#include "draw_space.h"
+#include "paint.h"
 
 #include <glm/geometric.hpp>
 #include <vtkCamera.h>

@@ -2,7 +2,7 @@
 
 #include "visualizer/layout.h"
 #include "visualizer/stage.h"
-#include "visualizer/vtk/shapes.h"
+#include "shapes.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

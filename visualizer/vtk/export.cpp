@@ -1,8 +1,8 @@
-#include "visualizer/vtk/export.h"
+#include "export.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "visualizer/cell_choice.h"
-#include "visualizer/vtk/zip_folder.h"
+#include "zip_folder.h"
 #include "visualizer/walk_file.h"
 
 #include <vtkCellData.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "visualizer/stage.h"
-#include "visualizer/vtk/drawing.h"
+#include "drawing.h"
 
 #include <filesystem>
 

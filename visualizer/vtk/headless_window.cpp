@@ -1,6 +1,6 @@
-#include "visualizer/vtk/headless_window.h"
+#include "headless_window.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

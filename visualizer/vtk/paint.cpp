@@ -1,8 +1,7 @@
-#include "visualizer/vtk/paint.h"
+#include "paint.h"
 
-#include "image/color_map.h"
-#include "image/color_space.h"
-#include "parse/words.h"
+#include "image/color.h"
+#include "basics/text.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>

@@ -2,7 +2,7 @@
 
 #include "visualizer/cell_choice.h"
 #include "visualizer/layout.h"
-#include "visualizer/vtk/shapes.h"
+#include "shapes.h"
 
 #include <glm/vec3.hpp>
 #include <vtkActor.h>

@@ -1,7 +1,7 @@
-#include "visualizer/vtk/screenshot.h"
+#include "screenshot.h"
 
-#include "image/color_space.h"
-#include "image/write_png.h"
+#include "image/color.h"
+#include "image/image_file.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,4 +1,4 @@
-#include "visualizer/vtk/shapes.h"
+#include "shapes.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

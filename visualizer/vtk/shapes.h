@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/box.h"
+#include "basics/box.h"
 
 #include <glm/vec3.hpp>
 #include <vtkPolyData.h>

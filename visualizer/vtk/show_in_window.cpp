@@ -1,12 +1,12 @@
-#include "visualizer/vtk/show_in_window.h"
+#include "show_in_window.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 #include "visualizer/framing.h"
 #include "visualizer/keys.h"
 #include "visualizer/pointing.h"
 #include "visualizer/state_file.h"
-#include "visualizer/vtk/drawing.h"
-#include "visualizer/vtk/screenshot.h"
+#include "drawing.h"
+#include "screenshot.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>

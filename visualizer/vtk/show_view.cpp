@@ -1,11 +1,11 @@
 #include "visualizer/show_view.h"
 
-#include "visualizer/vtk/display.h"
-#include "visualizer/vtk/drawing.h"
-#include "visualizer/vtk/export.h"
-#include "visualizer/vtk/headless_window.h"
-#include "visualizer/vtk/screenshot.h"
-#include "visualizer/vtk/show_in_window.h"
+#include "display.h"
+#include "drawing.h"
+#include "export.h"
+#include "headless_window.h"
+#include "screenshot.h"
+#include "show_in_window.h"
 
 #include <cstdio>
 #include <iostream>

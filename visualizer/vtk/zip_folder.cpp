@@ -1,6 +1,6 @@
-#include "visualizer/vtk/zip_folder.h"
+#include "zip_folder.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <zip.h>
 

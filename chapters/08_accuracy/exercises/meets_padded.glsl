@@ -1,6 +1,6 @@
 // Whether a box is met whose planes the ray enters and leaves at given t: those are the planes of a
 // ray from the zero point in the direction (1, 1, 1), of which t begins at t_min.
-#include "geometry/slab_padded.glsl"
+#include "slab/padded.glsl"
 
 uvec4 checkpoint(Ray ray, int step) {
     BoxRay diagonal;

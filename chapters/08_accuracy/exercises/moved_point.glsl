@@ -1,7 +1,7 @@
 // The point at the ray's origin, moved along a normal, which is the direction.
-#include "layout/surface_point.glsl"
+#include "offset/surface_point.glsl"
 
-#include "geometry/offset_waechter_binder.glsl"
+#include "offset/waechter_binder.glsl"
 
 uvec4 checkpoint(Ray ray, int step) {
     SurfacePoint from;

@@ -1,5 +1,5 @@
 // What glass leaves of red, green and blue light after a way as long as the ray's direction.
-#include "shading/absorption.glsl"
+#include "light/absorption.glsl"
 
 uvec4 checkpoint(Ray ray, int step) {
     real distance_in_glass = sqrt(dot_product(ray.direction, ray.direction));

@@ -1,6 +1,6 @@
 // What a ray is inside of after it has left a body. Whole numbers are made of the ray's: the list
 // of the origin and the direction's x, and the body of its y.
-#include "layout/media.glsl"
+#include "light/media.glsl"
 
 uint whole(real number) {
     return uint(floor(abs(number)));

@@ -1,7 +1,7 @@
 // The ray through one of three points of a lens of the radius 0.5 that is sharp at the distance 4.
-#include "geometry/samples.glsl"
+#include "light/samples.glsl"
 
-#include "geometry/lens.glsl"
+#include "light/lens.glsl"
 
 Ray through_lens(Ray ray, int step) {
     View view;

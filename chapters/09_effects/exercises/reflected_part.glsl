@@ -1,6 +1,6 @@
 // The part of the light along the ray's direction that glass reflects; its normal is the origin.
 #include "glass_meeting.glsl"
-#include "shading/fresnel.glsl"
+#include "light/fresnel.glsl"
 
 uvec4 checkpoint(Ray ray, int step) {
     Indices indices = indices_of(step);

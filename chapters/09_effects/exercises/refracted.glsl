@@ -1,7 +1,7 @@
 // The direction behind the surface, of a ray of length 1 and a normal against it. Where the sine
 // behind would be 1 or nearly so, nothing is asked: the reflection is total.
 #include "glass_meeting.glsl"
-#include "shading/fresnel.glsl"
+#include "light/fresnel.glsl"
 
 const float greatest_sine = 0.999f;
 

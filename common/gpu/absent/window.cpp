@@ -1,4 +1,4 @@
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 
 namespace raysteps {

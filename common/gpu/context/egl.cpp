@@ -1,5 +1,5 @@
 // EGL without a surface: OpenGL on a GPU that no display is attached to, or Mesa on the processor.
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 
 #include <EGL/egl.h>

@@ -1,5 +1,5 @@
 // OSMesa: Mesa's software renderer without any window system. It left Mesa in version 25.1.
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 
 #include <GL/osmesa.h>

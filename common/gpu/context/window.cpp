@@ -1,5 +1,5 @@
 // GLFW: a window on a display.
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 
 #define GLFW_INCLUDE_NONE

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scene/camera.h"
-#include "window/mouse.h"
+#include "scene/scene.h"
+#include "program/window/mouse.h"
 
 #include <glm/vec2.hpp>
 

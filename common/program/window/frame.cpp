@@ -1,6 +1,6 @@
-#include "window/frame.h"
+#include "program/window/frame.h"
 
-#include "window/coarseness.h"
+#include "program/window/coarseness.h"
 
 #include <chrono>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/image.h"
-#include "scene/camera.h"
-#include "window/show_in_window.h"
+#include "scene/scene.h"
+#include "program/window/show_in_window.h"
 
 namespace raysteps {
 

@@ -1,6 +1,6 @@
-#include "window/help_picture.h"
+#include "program/window/help_picture.h"
 
-#include "image/compose.h"
+#include "image/image.h"
 #include "image/draw_text.h"
 
 #include <glm/common.hpp>

@@ -1,6 +1,6 @@
-#include "window/mouse.h"
+#include "program/window/mouse.h"
 
-#include "window/trackball.h"
+#include "program/window/trackball.h"
 
 #include <glm/common.hpp>
 

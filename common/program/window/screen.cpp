@@ -1,7 +1,7 @@
-#include "window/screen.h"
+#include "program/window/screen.h"
 
-#include "gpu/check_gl.h"
-#include "image/count_nan_pixels.h"
+#include "gpu/gl.h"
+#include "image/image.h"
 
 #include <glm/common.hpp>
 
@@ -42,7 +42,7 @@ ScreenPlace overlay_place(const Image& overlay, double scale, int window_width, 
     return {inset, window_height - inset - height, width, height};
 }
 
-Screen::Screen() : program_("pass/show_image.frag") {
+Screen::Screen() : program_("pass/show/show_image.frag") {
     glGenVertexArrays(1, &vertices_);
 }
 

@@ -1,4 +1,4 @@
-#include "window/screenshot_path.h"
+#include "program/window/screenshot_path.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 #include "gpu/context.h"
 #include "image/image.h"
-#include "scene/camera.h"
+#include "scene/scene.h"
 
 #include <filesystem>
 #include <functional>

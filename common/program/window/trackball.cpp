@@ -1,4 +1,4 @@
-#include "window/trackball.h"
+#include "program/window/trackball.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>

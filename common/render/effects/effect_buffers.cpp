@@ -1,10 +1,9 @@
-#include "effects/effect_buffers.h"
+#include "render/effects/effect_buffers.h"
 
-#include "effects/picture_pyramid.h"
-#include "effects/scene_pictures.h"
-#include "error/error.h"
-#include "scene/material_effects.h"
-#include "scene/pack_glass.h"
+#include "render/effects/textures.h"
+#include "basics/error.h"
+#include "scene/scene.h"
+#include "scene/pack_scene.h"
 
 #include <limits>
 
@@ -104,6 +103,22 @@ EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
 void bind(Program& program, const EffectBuffers& buffers) {
     for (const auto& [name, buffer] : buffers.buffers) {
         program.set(name, buffer);
+    }
+}
+
+PlannedPasses::PlannedPasses(const Plan& plan, const SceneTextures& scene,
+                             const EffectBuffers& effects) {
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.name == "compute_rays") {
+            continue; // generate_rays of chapter 01 compiles it for each picture
+        }
+        Program program("pass/" + pass.name + ".frag", pass.parts);
+        program.set("triangle_corners", scene.corners)
+            .set("triangle_normals", scene.normals)
+            .set("triangle_materials", scene.triangle_materials)
+            .set("materials", scene.materials);
+        bind(program, effects);
+        programs_.emplace(pass.name, std::move(program));
     }
 }
 

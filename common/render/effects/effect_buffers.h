@@ -1,6 +1,7 @@
 #pragma once
 
-#include "effects/plan.h"
+#include "render/scene_textures.h"
+#include "render/effects/plan.h"
 #include "gpu/program.h"
 #include "scene/scene.h"
 
@@ -13,11 +14,11 @@
 
 namespace raysteps {
 
-// The texels of layout/surfaces.glsl under a plan: a material is marked as a mirror where the plan
+// The texels of light/materials.glsl under a plan: a material is marked as a mirror where the plan
 // sends rays on from it, and shows only that part of its colour which does not go through it.
 std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& plan);
 
-// The texels of layout/gloss.glsl, one a material.
+// The texels of light/highlight.glsl, one a material.
 std::vector<glm::vec4> pack_gloss(const Scene& scene);
 
 // Arrays that only some effects read, by the names of their uniforms; empty where the plan has none
@@ -31,5 +32,17 @@ struct EffectBuffers {
 EffectBuffers upload_effects(const Scene& scene, const Plan& plan);
 
 void bind(Program& program, const EffectBuffers& buffers);
+
+// The programs of a plan, compiled and given what stays the same for all pictures of the scene. To
+// ask for one that the plan does not have is a fault of the caller.
+class PlannedPasses {
+public:
+    PlannedPasses(const Plan& plan, const SceneTextures& scene, const EffectBuffers& effects);
+
+    Program& operator[](const std::string& name) { return programs_.at(name); }
+
+private:
+    std::map<std::string, Program> programs_;
+};
 
 } // namespace raysteps

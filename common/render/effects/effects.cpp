@@ -1,6 +1,6 @@
-#include "effects/effects.h"
+#include "render/effects/effects.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 namespace raysteps {
 

@@ -1,9 +1,8 @@
-#include "effects/effects_renderer.h"
+#include "render/effects/effects_renderer.h"
 
 #include "gpu/draw.h"
-#include "gpu/draw_points.h"
-#include "render/generate_rays.h"
-#include "render/picture.h"
+#include "render/rays.h"
+#include "render/show_hits.h"
 #include "scene/view.h"
 
 #include <glm/geometric.hpp>

@@ -1,9 +1,15 @@
 #pragma once
 
-#include "effects/lamps.h"
-#include "effects/ray_list.h"
+#include "gpu/program.h"
 #include "image/image.h"
+#include "render/effects/effect_buffers.h"
+#include "render/effects/lamps.h"
+#include "render/effects/plan.h"
+#include "render/effects/ray_list.h"
+#include "render/scene_textures.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace raysteps {
@@ -54,5 +60,8 @@ private:
     RayTally tally_;
     Progress progress_ = [](double) {};
 };
+
+// What the last picture took: rays by kind, rays and passes that it was spared, and textures.
+std::string explain(const EffectsRenderer& renderer);
 
 } // namespace raysteps

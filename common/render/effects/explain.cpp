@@ -1,4 +1,4 @@
-#include "effects/explain.h"
+#include "render/effects/effects_renderer.h"
 
 #include <algorithm>
 #include <cstdio>

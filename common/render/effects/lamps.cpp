@@ -1,4 +1,4 @@
-#include "effects/lamps.h"
+#include "render/effects/lamps.h"
 
 #include "gpu/draw.h"
 

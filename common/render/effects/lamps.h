@@ -1,7 +1,7 @@
 #pragma once
 
-#include "effects/planned_passes.h"
-#include "effects/ray_tally.h"
+#include "render/effects/effect_buffers.h"
+#include "render/effects/ray_list.h"
 #include "gpu/live_mask.h"
 #include "render/trace_rays.h"
 

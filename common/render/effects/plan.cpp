@@ -1,4 +1,4 @@
-#include "effects/plan.h"
+#include "render/effects/plan.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "effects/called_for.h"
-#include "gpu/read_shader.h"
+#include "gpu/shaders.h"
+#include "render/effects/called_for.h"
 
 #include <string>
 #include <vector>
@@ -51,5 +51,9 @@ inline bool goes_on(const Plan& plan) {
 inline bool needs_glass(const Plan& plan) {
     return has(plan, Effect::refraction) || has(plan, Effect::glass_shadows);
 }
+
+// The effects of a plan with the reason of each, those that are not called for, and the passes with
+// their parts.
+std::string explain(const Plan& plan);
 
 } // namespace raysteps

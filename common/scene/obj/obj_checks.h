@@ -1,5 +1,9 @@
 #pragma once
 
+#include "scene/obj/obj_file.h"
+
+#include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +27,22 @@ std::string checked_normal(const std::vector<std::string_view>& words);
 // Corners of the forms 1, 1/2, 1//3 and 1/2/3. Throws InputError where an index is no whole number,
 // 0, or beyond 32 bits.
 std::string checked_face(const std::vector<std::string_view>& words, const std::string& where);
+
+// Where a corner of a triangle comes from.
+struct CornerOrigin {
+    ObjCorner corner;
+    int smoothing_group = 0;
+};
+
+struct ObjNormals {
+    std::vector<glm::vec3> normals;
+    std::string message; // which normals they are
+};
+
+// A normal of unit length for each corner of triangles that have an area: the one that the file
+// gives; else, in a smoothing group, one that all corners at its vertex in that group share; else
+// that of the triangle. A file that says neither vn nor s is flat, as OBJ defines it.
+ObjNormals make_normals(const ObjFile& file, std::span<const glm::vec3> corners,
+                        std::span<const CornerOrigin> origins);
 
 } // namespace raysteps

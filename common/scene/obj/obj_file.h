@@ -1,16 +1,45 @@
 #pragma once
 
-#include "scene/obj_findings.h"
-
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace raysteps {
+
+// "bunny.obj:1204: ", the place that a sentence is about.
+std::string place(const std::filesystem::path& path, std::int64_t line);
+
+// A word from a file as it may stand in a sentence: in quotes, at most 40 characters, all
+// printable.
+std::string in_quotes(std::string_view word);
+
+// Collects what was corrected or dropped in a file: one sentence for each kind of finding with its
+// count and first lines, however often it was found.
+class ObjFindings {
+public:
+    // The sentence comes without its full stop.
+    void note(const std::string& sentence, std::int64_t line);
+
+    // The sentences about the file, in the order in which their kinds were first found.
+    std::vector<std::string> sentences(const std::filesystem::path& path) const;
+
+private:
+    struct Finding {
+        std::string sentence;
+        std::int64_t count = 0;
+        std::vector<std::int64_t> first_lines;
+    };
+
+    std::vector<Finding> findings_;
+    std::unordered_map<std::string, std::size_t> index_of_sentence_;
+};
 
 inline constexpr int not_given = -1;
 
@@ -47,7 +76,115 @@ struct ObjFile {
     std::vector<ObjFace> faces;
     std::vector<std::string> material_names;
     std::vector<ObjLibrary> libraries;
-    Findings findings;
+    ObjFindings findings;
+};
+
+// Coordinates above this are refused: the square of a distance between two such points,
+// 3 * (2 * 1.8e18)^2 = 3.9e37, is still a float (at most 3.4e38).
+inline constexpr double greatest_coordinate = 1.8e18;
+
+// The number that the whole word spells, which may be infinite or no number (`inf`, `nan`);
+// nothing where the word spells no number. What a double cannot hold counts as infinite.
+std::optional<double> to_number(std::string_view word);
+
+// The whole number that the word spells; nothing where it spells none or one beyond 64 bits.
+std::optional<std::int64_t> to_whole_number(std::string_view word);
+
+// The shortest text that reads back to the same float.
+std::string to_text(float number);
+
+struct TextLine {
+    std::int64_t number = 0; // counted from 1; of joined lines, the first
+    std::string_view text;   // valid until the next line is read
+};
+
+// Reads the lines of an OBJ or MTL text: LF, CRLF or CR end a line, a backslash before the end
+// joins the next one, and a UTF-8 byte order mark at the start is left out. A comment joins
+// nothing, because comments end in paths such as C:\models\.
+class LineReader {
+public:
+    explicit LineReader(std::string_view text);
+    std::optional<TextLine> next();
+
+private:
+    std::string_view take_line();
+
+    std::string_view rest_;
+    std::string joined_;
+    std::int64_t lines_taken_ = 0;
+};
+
+// The words of a line, which are set apart by spaces and tabs.
+std::vector<std::string_view> split_words(std::string_view text);
+
+// The words without a comment: those before the first that begins with '#'.
+std::vector<std::string_view> split_values(std::string_view text);
+
+// What follows the first word, without the space around it: a name, which may hold spaces.
+std::string_view after_first_word(std::string_view text);
+
+// Reads an OBJ text statement by statement and lets through only what tinyobjloader reads rightly:
+// left alone it takes `nan` and `V` for nothing, 4294967297 for 1 and a comment for a corner, all
+// without a word. What it has no callback for, smoothing groups and material files, is kept here.
+class ObjStatements {
+public:
+    ObjStatements(std::string_view text, const std::filesystem::path& path);
+
+    // The next v, vn, vt, f or usemtl statement with a line end; empty after the last.
+    // Throws InputError where a statement cannot be used.
+    std::string next();
+
+    // Of the statement that next gave last.
+    std::int64_t line() const { return line_.number; }
+    std::string where() const { return place(path_, line_.number); }
+    int smoothing_group() const { return smoothing_group_; }
+
+    const std::vector<ObjLibrary>& libraries() const { return libraries_; }
+    ObjFindings& findings() { return findings_; }
+
+private:
+    std::string checked(const std::vector<std::string_view>& words);
+    void keep_library();
+    void keep_smoothing_group(const std::vector<std::string_view>& words);
+
+    std::filesystem::path path_;
+    LineReader lines_;
+    TextLine line_;
+    int smoothing_group_ = 0;
+    std::vector<ObjLibrary> libraries_;
+    ObjFindings findings_;
+};
+
+// Takes what a parser makes of the statements, checks it once more, since parsers have faults, and
+// puts it together to an ObjFile. Indices come as the file counts them: from 1, or back from the
+// newest with negative numbers, and 0 where none is given. Throws InputError with file and line.
+class ObjReading {
+public:
+    ObjReading(std::string_view text, const std::filesystem::path& path);
+
+    // The text to be parsed, as ObjStatements gives it.
+    std::string next_statement() { return statements_.next(); }
+
+    void take_position(float x, float y, float z);
+    void take_texture_coordinate(float x, float y);
+    void take_normal(float x, float y, float z);
+    void take_material(const std::string& name);
+    void begin_face();
+    void take_corner(int position, int texture_coordinate, int normal);
+
+    // After the last statement. Only then is it known how many vertices the file has.
+    ObjFile finish();
+
+private:
+    float checked(float coordinate) const;
+    int to_index(int number, std::size_t count, const char* what) const;
+    void check_indices(const ObjFace& face) const;
+    void check_index(int index, std::size_t count, const char* what, const ObjFace& face) const;
+
+    ObjStatements statements_;
+    ObjFile file_;
+    std::unordered_map<std::string, int> index_of_material_;
+    int material_name_ = not_given;
 };
 
 } // namespace raysteps

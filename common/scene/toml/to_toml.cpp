@@ -1,6 +1,6 @@
 #include "scene/load_scene.h"
 
-#include "scene/toml_text.h"
+#include "scene/toml/toml_values.h"
 
 #include <glm/mat4x4.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <glm/vec3.hpp>
 #include <toml++/toml.h>
@@ -10,6 +10,12 @@
 #include <vector>
 
 namespace raysteps {
+
+// The number as TOML, which reads back to the same bits; it is finite.
+std::string toml_number_text(float number);
+
+// The text in quotation marks, as TOML.
+std::string toml_string_text(std::string_view text);
 
 // The values of a TOML file, checked. All of these throw InputError with file, line and column.
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "structure/bvh.h"
-#include "structure/bvh_options.h"
+#include "structure/bvh/bvh.h"
 
 #include <glm/vec3.hpp>
 

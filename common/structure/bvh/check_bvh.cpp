@@ -1,4 +1,4 @@
-#include "structure/check_bvh.h"
+#include "structure/bvh/check_bvh.h"
 
 #include "structure/padding.h"
 

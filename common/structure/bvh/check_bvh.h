@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/bvh.h"
+#include "structure/bvh/bvh.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,9 +1,8 @@
-#include "structure/family_bvh.h"
+#include "structure/bvh/family_bvh.h"
 
-#include "structure/build_bvh.h"
-#include "structure/build_values.h"
-#include "structure/bvh_pack.h"
-#include "structure/measure_bvh.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/structure.h"
+#include "structure/bvh/bvh.h"
 
 #include <chrono>
 #include <string>
@@ -84,7 +83,7 @@ BvhOptions bvh_options_of(const BuildRequest& request) {
     return chosen;
 }
 
-// Serves structure/bvh_skip.glsl, bvh_skip_padded.glsl, bvh_ordered.glsl, bvh_parent.glsl and
+// Serves structure/bvh/bvh_skip.glsl, bvh_skip_padded.glsl, bvh_ordered.glsl, bvh_parent.glsl and
 // bvh_stack.glsl.
 StructureFamily family_bvh() {
     return {"bvh", options(), build};

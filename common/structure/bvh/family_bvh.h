@@ -1,7 +1,7 @@
 #pragma once
 
-#include "structure/bvh_options.h"
-#include "structure/structure_family.h"
+#include "structure/bvh/bvh.h"
+#include "structure/structure.h"
 
 namespace raysteps {
 

@@ -1,10 +1,9 @@
-#include "structure/bvh_pack.h"
-#include "structure/family_bvh.h"
-#include "structure/half_bvh.h"
+#include "structure/bvh/bvh.h"
+#include "structure/bvh/family_bvh.h"
 
 namespace raysteps {
 
-// Serves structure/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer bits.
+// Serves structure/bvh/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer bits.
 StructureFamily family_half_bvh() {
     const StructureFamily whole = family_bvh();
     return {"half_bvh", whole.options,

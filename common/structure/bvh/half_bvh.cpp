@@ -1,6 +1,6 @@
-#include "structure/half_bvh.h"
+#include "structure/bvh/bvh.h"
 
-#include "geometry/box.h"
+#include "basics/box.h"
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "structure/split_binned.h"
+#include "structure/bvh/bvh_split.h"
 
-#include "structure/wide_box.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "structure/split_median.h"
+#include "structure/bvh/bvh_split.h"
 
 namespace raysteps {
 

@@ -1,4 +1,4 @@
-#include "structure/split_sweep.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "structure/check_grid.h"
+#include "structure/grid/check_grid.h"
 
-#include "geometry/grid_plane.h"
-#include "structure/grid_neighbours.h"
+#include "structure/grid/grid.h"
+#include "structure/grid/build_grid.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/grid.h"
+#include "structure/grid/grid.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,6 +1,5 @@
-#include "structure/build_grid.h"
-#include "structure/build_values.h"
-#include "structure/structure_family.h"
+#include "structure/grid/build_grid.h"
+#include "structure/structure.h"
 
 #include <algorithm>
 #include <chrono>
@@ -82,7 +81,7 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 
 } // namespace
 
-// Serves structure/grid.glsl and structure/grid_mailbox.glsl.
+// Serves structure/grid/grid.glsl and structure/grid/grid_mailbox.glsl.
 StructureFamily family_grid() {
     return {"grid", options(), build};
 }

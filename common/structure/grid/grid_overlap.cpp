@@ -1,4 +1,4 @@
-#include "structure/grid_overlap.h"
+#include "structure/grid/grid_overlap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/grid_shape.h"
+#include "structure/grid/grid.h"
 
 #include <array>
 

@@ -1,13 +1,66 @@
 #pragma once
 
-#include "structure/kd_options.h"
-#include "structure/kd_tree.h"
+#include "structure/kd_tree/kd_split.h"
+#include "structure/kd_tree/kd_tree.h"
 
 #include <glm/vec3.hpp>
 
+#include <atomic>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace raysteps {
+
+enum class Sides : std::uint8_t { both, lower, upper };
+
+// On which sides of the plane each triangle of a node has a part. The vector has a place for each
+// triangle of the scene and is used again, since only those of the node matter.
+std::vector<Sides> sorted_out(std::vector<Sides> sides, const KdEvents& events,
+                              const KdPlane& plane);
+
+// The events of the triangles with those sides, still sorted.
+KdEvents events_on(Sides side, const KdEvents& events, const std::vector<Sides>& sides);
+
+// The triangles with those sides, each once.
+std::vector<int> triangles_on(Sides side, const KdEvents& events, const std::vector<Sides>& sides);
+
+// What all parts of one tree have in common while it grows, on however many threads.
+struct KdPlan {
+    KdTriangles triangles;
+    KdOptions options;
+    int depth_limit = 0;
+    std::atomic<std::size_t> bytes = 0; // of the leaves that are made
+};
+
+// A node that is still to be split or to become a leaf.
+struct KdBud {
+    int node = 0;
+    Box box;
+    int depth = 0;
+    int bad_splits = 0; // in a row, on the way to it
+    KdEvents events;
+};
+
+// A tree without ropes, and the buds that it was not to grow itself.
+struct KdGrowth {
+    KdTree tree;
+    std::vector<KdBud> left_over;
+};
+
+// Grows a tree from the bud, which becomes node 0. Children with fewer triangles are left over.
+// Throws InputError where the plan's bytes are more than its options allow.
+KdGrowth grow(KdPlan& plan, KdBud bud, std::size_t fewest);
+
+// The tree with the branch, which was grown from a bud of it, in the place of that bud's node.
+KdTree graft(KdTree tree, int node, const KdTree& branch);
+
+// The tree with its leaves numbered and a rope behind each face of each leaf: the smallest node
+// that holds the whole face. So a walk that leaves a leaf goes on there, and not at the root.
+// Source: Havran, Bittner and Zara, "Ray tracing with rope trees", 1998; moved down as in Popov,
+// Guenther, Seidel and Slusallek, "Stackless KD-tree traversal for high performance GPU ray
+// tracing", 2007.
+KdTree with_ropes(KdTree tree);
 
 // The kd-tree over the triangles (three corners each), in O(n log n), by the surface-area heuristic
 // or at medians of space. The tree does not depend on the number of threads.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/kd_tree.h"
+#include "structure/kd_tree/kd_tree.h"
 
 #include <glm/vec3.hpp>
 
@@ -9,6 +9,15 @@
 #include <vector>
 
 namespace raysteps {
+
+// The checks that check_kd_tree is made of. Each needs those before it to have found nothing.
+using KdFaults = std::vector<std::string>;
+
+KdFaults faults_of_links(const KdTree& tree);
+KdFaults faults_of_boxes(const KdTree& tree);
+KdFaults faults_of_references(const KdTree& tree, std::size_t triangles);
+KdFaults faults_of_ropes(const KdTree& tree);
+KdFaults missing_references(const KdTree& tree, std::span<const glm::vec3> corners);
 
 // What is wrong with the tree over these triangles (three corners each), a sentence for each fault,
 // ten of a kind at most; empty where the tree is right:

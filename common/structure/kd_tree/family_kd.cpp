@@ -1,8 +1,6 @@
-#include "structure/build_kd_tree.h"
-#include "structure/build_values.h"
-#include "structure/kd_pack.h"
-#include "structure/measure_kd_tree.h"
-#include "structure/structure_family.h"
+#include "structure/kd_tree/build_kd_tree.h"
+#include "structure/structure.h"
+#include "structure/kd_tree/kd_tree.h"
 
 #include <chrono>
 #include <string>
@@ -71,7 +69,7 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 
 } // namespace
 
-// Serves structure/kd_restart.glsl, kd_backtrack.glsl, kd_short_stack.glsl and kd_ropes.glsl.
+// Serves structure/kd_tree/kd_restart.glsl, kd_backtrack.glsl, kd_short_stack.glsl and kd_ropes.glsl.
 StructureFamily family_kd() {
     return {"kd", options(), build};
 }

@@ -1,8 +1,92 @@
-#include "structure/kd_events.h"
+#include "structure/kd_tree/kd_split.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace raysteps {
+
+namespace {
+
+// Each of six planes adds at most one corner to a triangle: 9 in all. Rounding may dent a polygon
+// by a hair; even one that crosses a plane as often as it can grows by half at most: 3, 4, 6, 9,
+// 13, 19, 28.
+struct Polygon {
+    std::array<glm::dvec3, 28> corners;
+    std::size_t count = 0;
+};
+
+// Where the edge from a to b, which crosses the plane, meets it.
+glm::dvec3 crossing(const glm::dvec3& a, const glm::dvec3& b, int axis, double plane) {
+    glm::dvec3 point = a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a);
+    point[axis] = plane;
+    return point;
+}
+
+enum class Side { lower, upper };
+
+bool is_on(Side side, double coordinate, double plane) {
+    return side == Side::lower ? coordinate <= plane : coordinate >= plane;
+}
+
+// What of the polygon lies on that side of the plane.
+Polygon kept(const Polygon& polygon, int axis, double plane, Side side) {
+    Polygon rest;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const glm::dvec3& a = polygon.corners[i];
+        const glm::dvec3& b = polygon.corners[(i + 1) % polygon.count];
+        const bool a_stays = is_on(side, a[axis], plane);
+        if (a_stays) {
+            rest.corners[rest.count++] = a;
+        }
+        if (a_stays != is_on(side, b[axis], plane)) {
+            rest.corners[rest.count++] = crossing(a, b, axis, plane);
+        }
+    }
+    return rest;
+}
+
+float below(double value) {
+    return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+}
+
+float above(double value) {
+    return std::nextafter(static_cast<float>(value), +std::numeric_limits<float>::infinity());
+}
+
+} // namespace
+
+ExactBox grown(const Box& box, double padding) {
+    return {glm::dvec3(box.lower) - padding, glm::dvec3(box.upper) + padding};
+}
+
+Box clipped_bounds(const std::array<glm::vec3, 3>& triangle, const ExactBox& box, double padding) {
+    Polygon polygon;
+    for (const glm::vec3& corner : triangle) {
+        polygon.corners[polygon.count++] = corner;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        polygon = kept(polygon, axis, box.lower[axis], Side::upper);
+        polygon = kept(polygon, axis, box.upper[axis], Side::lower);
+    }
+    if (polygon.count == 0) {
+        return {};
+    }
+    ExactBox bounds{polygon.corners[0], polygon.corners[0]};
+    for (std::size_t i = 1; i < polygon.count; ++i) {
+        bounds.lower = glm::min(bounds.lower, polygon.corners[i]);
+        bounds.upper = glm::max(bounds.upper, polygon.corners[i]);
+    }
+    Box rounded;
+    for (int axis = 0; axis < 3; ++axis) {
+        rounded.lower[axis] = below(bounds.lower[axis] - padding);
+        rounded.upper[axis] = above(bounds.upper[axis] + padding);
+    }
+    return rounded;
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "structure/kd_plane.h"
+#include "structure/kd_tree/kd_split.h"
 
 namespace raysteps {
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "geometry/box.h"
+#include "basics/box.h"
+#include "structure/structure.h"
 
 #include <array>
 #include <cstddef>
@@ -46,5 +47,43 @@ inline std::size_t bytes_of(const KdTree& tree) {
     return 16 * tree.nodes.size() + 32 * tree.boxes.size() + 24 * tree.ropes.size() +
            4 * tree.references.size();
 }
+
+enum class KdSplit {
+    area,   // where the surface-area heuristic sees the least cost
+    median, // in the middle of the longest side
+};
+
+// What a kd-tree is built for. The costs are those of one step down and of one triangle test, in
+// one unit: only their ratio matters.
+struct KdOptions {
+    KdSplit split = KdSplit::area;
+    double traversal_cost = 1.0;
+    double intersection_cost = 1.5;
+    double empty_bonus = 0.2; // by this part a split is cheaper that cuts off empty space
+    int leaf_triangles = 2;   // so many triangles are never split
+    int depth_limit = -1;     // of a leaf, the root being at 0; below 0, 8 + 1.3 log2 n
+    int bad_splits = 0; // in a row that may not pay by themselves, in the hope of a better one
+    float reach = 0.0f; // see usual_reach in structure/padding.h
+    std::size_t most_bytes = std::size_t{4} << 30; // of the finished tree
+    unsigned threads = 0; // that build it; 0: as many as the machine has cores
+};
+
+struct KdMeasures {
+    std::size_t nodes = 0;
+    std::size_t leaves = 0;
+    std::size_t empty_leaves = 0;
+    std::size_t longest_leaf = 0; // in references
+    std::size_t references = 0;
+    int depth = 0;     // of the deepest leaf, the root being at 0
+    double cost = 0.0; // what the surface-area heuristic expects of a ray through the root's box
+    std::size_t bytes = 0;
+};
+
+// The tree is that of build_kd_tree; of the options, only the costs matter.
+KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options);
+
+// The tree under the names and in the form of shaders/structure/kd_tree/kd_nodes.glsl, kd_boxes.glsl and
+// kd_ropes.glsl.
+PackedStructure pack(const KdTree& tree);
 
 } // namespace raysteps

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "course/question.h"
+#include "question.h"
 
 #include <array>
 #include <cstdint>

@@ -1,12 +1,11 @@
-#include "course/answer_builders.h"
+#include "answer_builders.h"
 
-#include "error/error.h"
-#include "geometry/box.h"
-#include "structure/grid_shape.h"
-#include "structure/half_bvh.h"
-#include "structure/kd_plane.h"
-#include "structure/split_binned.h"
-#include "structure/split_median.h"
+#include "basics/error.h"
+#include "basics/box.h"
+#include "structure/grid/grid.h"
+#include "structure/bvh/bvh.h"
+#include "structure/kd_tree/kd_split.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <bit>

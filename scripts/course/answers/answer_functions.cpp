@@ -1,9 +1,8 @@
-#include "course/answer_functions.h"
+#include "answer_functions.h"
 
-#include "error/error.h"
-#include "geometry/cosine_direction.h"
-#include "report/growth.h"
-#include "report/measured_range.h"
+#include "basics/error.h"
+#include "measure/cosine_direction.h"
+#include "measure/statistics.h"
 
 #include <glm/geometric.hpp>
 

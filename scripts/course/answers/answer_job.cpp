@@ -1,6 +1,6 @@
-#include "course/answer.h"
+#include "answer.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <iostream>
 

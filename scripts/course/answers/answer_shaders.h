@@ -1,6 +1,6 @@
 #pragma once
 
-#include "course/answer.h"
+#include "answer.h"
 
 namespace raysteps {
 

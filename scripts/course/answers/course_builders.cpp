@@ -1,7 +1,7 @@
 // Answers the questions of a job by the builders and other functions in C++ as they stand (./course
 // runs it).
-#include "course/answer_builders.h"
-#include "course/answer_functions.h"
+#include "answer_builders.h"
+#include "answer_functions.h"
 
 using namespace raysteps;
 

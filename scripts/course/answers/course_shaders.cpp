@@ -1,5 +1,5 @@
 // Answers the questions of a job by the shader parts as they stand (./course runs it).
-#include "course_shaders/answer_shaders.h"
+#include "answer_shaders.h"
 #include "gpu/context.h"
 
 using namespace raysteps;

@@ -1,7 +1,7 @@
-#include "course/question.h"
+#include "question.h"
 
-#include "error/error.h"
-#include "file/read_file.h"
+#include "basics/error.h"
+#include "basics/file.h"
 
 #include <nlohmann/json.hpp>
 

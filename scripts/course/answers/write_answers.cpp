@@ -1,6 +1,6 @@
-#include "course/answer.h"
+#include "answer.h"
 
-#include "file/write_file.h"
+#include "basics/file.h"
 
 #include <nlohmann/json.hpp>
 

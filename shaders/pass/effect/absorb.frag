@@ -1,19 +1,16 @@
 #version 410 core
 // Absorption: a path that came through an absorbing body to its hit counts less from there on.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "layout/glass.glsl"
-#include "layout/media.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "shading/absorption.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "light/glass_materials.glsl"
+#include "light/media.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
+#include "light/absorption.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

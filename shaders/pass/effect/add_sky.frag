@@ -1,14 +1,11 @@
 #version 410 core
 // The sky, where a path leaves the scene.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/sky.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "shading/sky.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "light/sky.glsl"
+#include "core/vector.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

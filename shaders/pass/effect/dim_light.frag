@@ -2,23 +2,20 @@
 // A shadow ray that met glass goes straight on behind it, with less light. Where it leaves the
 // glass it has come through, what that absorbs is lost too.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "layout/glass.glsl"
-#include "layout/media.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "shading/surface.glsl"
-#include "shading/mirror.glsl"
-#include "shading/fresnel.glsl"
-#include "shading/absorption.glsl"
-#include "shading/glass.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "light/glass_materials.glsl"
+#include "light/media.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
+#include "light/surface.glsl"
+#include "light/mirror.glsl"
+#include "light/fresnel.glsl"
+#include "light/absorption.glsl"
+#include "light/glass.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -1,12 +1,13 @@
 #version 410 core
 // Depth of field: the pinhole's rays start on a lens instead.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/view.glsl"
-#include "layout/ray_texels.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/samples.glsl"
-#include "geometry/lens.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/view.glsl"
+#include "core/vector.glsl"
+#include "light/samples.glsl"
+#include "light/lens.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -1,19 +1,16 @@
 #version 410 core
 // The diffuse light of a lamp on each hit.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "geometry/samples.glsl"
-#include "shading/surface.glsl"
-#include "shading/lambert.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
+#include "light/samples.glsl"
+#include "light/surface.glsl"
+#include "light/lambert.glsl"
 #include <lamp>
 #include <paint>
 #include <visibility>

@@ -1,18 +1,14 @@
 #version 410 core
 // Textures: the colour of each surface that is hit, from its picture where it has one.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "layout/pictures.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "shading/picture.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "light/texture.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -1,10 +1,9 @@
 #version 410 core
 // Where a shadow ray meets nothing more, its share of the lamp's light is what is left.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "geometry/hit.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
 
 uniform usampler2D hits;
 uniform sampler2D shares;

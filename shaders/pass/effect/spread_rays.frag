@@ -1,12 +1,11 @@
 #version 410 core
 // Anti-aliasing: each sample of a pixel has its ray through another place of it.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/view.glsl"
-#include "layout/ray_texels.glsl"
-#include "geometry/camera.glsl"
-#include "geometry/samples.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/view.glsl"
+#include "light/samples.glsl"
 
 uniform View view;
 uniform vec2 picture_size; // in pixels

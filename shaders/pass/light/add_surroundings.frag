@@ -2,11 +2,10 @@
 // What a path sees without any light: the background where it leaves the scene, and the glow of
 // what it hits.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/surfaces.glsl"
-#include "geometry/hit.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "light/materials.glsl"
 
 uniform usampler2D hits;
 uniform sampler2D weights;

@@ -2,18 +2,15 @@
 // Each ray that hit a mirror goes on from there, and its colour counts as much less as the mirror
 // keeps.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "shading/surface.glsl"
-#include "shading/mirror.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
+#include "light/surface.glsl"
+#include "light/mirror.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

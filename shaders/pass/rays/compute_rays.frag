@@ -1,11 +1,10 @@
 #version 410 core
 // Primary rays computed by each pixel from its own place.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/view.glsl"
-#include "layout/ray_texels.glsl"
-#include "geometry/camera.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/view.glsl"
 
 uniform View view;
 uniform vec2 picture_size; // in pixels

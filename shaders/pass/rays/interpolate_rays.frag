@@ -1,10 +1,10 @@
 #version 410 core
 // Primary rays as the paper makes them: each pixel finds its direction ready, interpolated.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/view.glsl"
-#include "layout/ray_texels.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/view.glsl"
 
 uniform View view;
 

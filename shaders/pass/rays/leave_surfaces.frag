@@ -1,14 +1,12 @@
 #version 410 core
 // A ray that leaves each hit in a direction given: how it gets off the surface is a part.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surface_point.glsl"
-#include "geometry/vector.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "offset/surface_point.glsl"
+#include "core/vector.glsl"
 #include <offset>
 
 uniform usampler2D hits;

@@ -1,9 +1,9 @@
 #version 410 core
 // Draws the pixels that have no ray to trace.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
-#include "geometry/ray.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

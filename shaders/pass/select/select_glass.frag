@@ -1,12 +1,11 @@
 #version 410 core
 // Draws the pixels whose ray met glass.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/surfaces.glsl"
-#include "layout/glass.glsl"
-#include "geometry/hit.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "light/materials.glsl"
+#include "light/glass_materials.glsl"
 
 uniform usampler2D hits;
 

@@ -1,10 +1,9 @@
 #version 410 core
 // Draws the pixels whose ray left the scene.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "geometry/hit.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
 
 uniform usampler2D hits;
 

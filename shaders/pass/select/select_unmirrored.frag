@@ -1,9 +1,10 @@
 #version 410 core
 // Draws the pixels whose path ends at a surface that is no mirror.
 #include <real>
-#include "layout/hit.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/surfaces.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "light/materials.glsl"
 
 uniform usampler2D hits;
 

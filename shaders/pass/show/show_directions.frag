@@ -1,6 +1,6 @@
 #version 410 core
 // The directions of rays as colours.
-#include "shading/color_of_direction.glsl"
+#include "light/color_of_direction.glsl"
 
 uniform sampler2D ray_directions;
 

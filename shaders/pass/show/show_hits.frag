@@ -1,17 +1,15 @@
 #version 410 core
 // A picture of hits without any light.
 #include <real>
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/leave_surface.glsl"
-#include "shading/surface.glsl"
-#include "shading/color_of_direction.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
+#include "light/surface.glsl"
+#include "light/color_of_direction.glsl"
 #include <view>
 
 uniform sampler2D ray_origins;

@@ -1,10 +1,10 @@
 #version 410 core
 // Which of a few boxes each ray meets: one bit a box.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/boxes.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "slab/boxes.glsl"
 #include <slab>
 
 uniform sampler2D ray_origins;

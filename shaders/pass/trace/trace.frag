@@ -2,17 +2,12 @@
 // One launch of a walk. The first one starts it; each other goes on where the last one stopped,
 // with the hit that it had (the paper's `lasthit`).
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/walk.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/hit_texel.glsl"
-#include "layout/walk_texels.glsl"
-#include "layout/triangles.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/ray.glsl"
-#include "geometry/hit.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/walk.glsl"
+#include "core/triangles.glsl"
+#include "core/vector.glsl"
 #include <triangle>
 #include <observer>
 #include <structure>
@@ -23,7 +18,7 @@ uniform bool first_launch;
 uniform usampler2D last_hits;
 uniform usampler2D last_places;
 uniform usampler2D last_observations;
-uniform float near_enough; // a hit at most this far ends the walk: see geometry/queries.glsl
+uniform float near_enough; // a hit at most this far ends the walk: see core/queries.glsl
 uniform int rounds;        // what the platform's loops can bear in one launch
 
 layout(location = 0) out uvec4 hit_texel;

@@ -3,9 +3,9 @@
 // behind it is skipped. The order is that of the two children's centres along one axis, not that of
 // distances along the ray. Skip pointers: Thrane and Simonsen, "A Comparison of Acceleration
 // Structures for GPU Assisted Ray Tracing", 2005.
-#include "layout/bvh.glsl"
-#include "geometry/box_ray.glsl"
-#include "geometry/box_plain.glsl"
+#include "structure/bvh/bvh_nodes.glsl"
+#include "structure/bvh/box_ray.glsl"
+#include "structure/bvh/box_plain.glsl"
 
 int first_bvh_node(BoxRay ray) {
     int octant =
@@ -17,5 +17,5 @@ bool meets_bvh_node(BoxRay ray, BvhNode node, real t_max) {
     return meets_box(ray, node.first_planes, node.last_planes, t_max);
 }
 
-#include "geometry/bvh_leaf.glsl"
-#include "geometry/bvh_skip_walk.glsl"
+#include "structure/bvh/bvh_leaf.glsl"
+#include "structure/bvh/bvh_skip_walk.glsl"

@@ -1,14 +1,14 @@
 // A bounding volume hierarchy with boxes of half precision, rounded outwards: half the memory a
 // node, larger boxes, and the same hits. Walked as bvh_skip is. Source of the idea: Mahovsky and
 // Wyvill, "Memory-Conserving Bounding Volume Hierarchies with Coherent Raytracing", 2006.
-#include "layout/half_bvh.glsl"
-#include "geometry/box_ray.glsl"
-#include "geometry/box_plain.glsl"
-#include "geometry/bvh_choose_planes.glsl"
+#include "structure/bvh/half_bvh_nodes.glsl"
+#include "structure/bvh/box_ray.glsl"
+#include "structure/bvh/box_plain.glsl"
+#include "structure/bvh/bvh_choose_planes.glsl"
 
 int first_bvh_node(BoxRay ray) {
     return 0;
 }
 
-#include "geometry/bvh_leaf.glsl"
-#include "geometry/bvh_skip_walk.glsl"
+#include "structure/bvh/bvh_leaf.glsl"
+#include "structure/bvh/bvh_skip_walk.glsl"

@@ -35,3 +35,90 @@ ivec3 grid_cell_of(int number) {
     int row = number / grid_cells.x;
     return ivec3(number - row * grid_cells.x, row % grid_cells.y, row / grid_cells.y);
 }
+
+// Where a ray crosses the planes of a grid: always computed from the index of the plane, never by
+// adding up, which would drift.
+
+bool goes_up(Ray ray, int axis) {
+    return ray.direction[axis] > real(0.0f);
+}
+
+bool goes_along(Ray ray, int axis) {
+    return ray.direction[axis] != real(0.0f);
+}
+
+real plane_of_grid(int axis, int i) {
+    return grid_plane(real(grid_lower[axis]), real(grid_cell_size[axis]), i);
+}
+
+// The t at which the ray, which goes along the axis, meets the plane. Rounding keeps the order of
+// the planes.
+real crossing(Ray ray, int axis, int plane) {
+    precise real t = (plane_of_grid(axis, plane) - ray.origin[axis]) / ray.direction[axis];
+    return t;
+}
+
+// The t at which the ray leaves cell i of the axis; `farthest` where it does not go along it.
+real leaving(Ray ray, int axis, int i) {
+    return goes_along(ray, axis) ? crossing(ray, axis, goes_up(ray, axis) ? i + 1 : i)
+                                 : real(farthest);
+}
+
+// Whether the cells of the axis that come before this plane are behind the ray at t: their place
+// decides where the ray does not go along the axis.
+bool is_passed(Ray ray, int axis, int plane, real t) {
+    return goes_along(ray, axis) ? crossing(ray, axis, plane) < t
+                                 : plane_of_grid(axis, plane) < ray.origin[axis];
+}
+
+// The cell along one axis where the ray is at t: the first one, as the ray goes, that it has not
+// left before. Found by halving, with the very numbers by which the walk goes on, so that no
+// rounding can put it beside the ray; and whatever the numbers are, it is a cell of the grid.
+int cell_at(Ray ray, int axis, real t) {
+    int last = grid_cells[axis] - 1;
+    bool downwards = ray.direction[axis] < real(0.0f);
+    int low = 0;
+    //# exercise 4.2: the first cell
+    int high = last;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (is_passed(ray, axis, downwards ? last - middle : middle + 1, t)) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    //# stub: low = 0;
+    //# end
+    return downwards ? last - low : low;
+}
+
+// The part of the ray within the grid; a miss is a part whose end is before its start.
+struct GridPart {
+    real start;
+    real end;
+};
+
+GridPart part_in_grid(Ray ray) {
+    GridPart part;
+    part.start = ray.t_min;
+    part.end = min(ray.t_max, real(farthest));
+    for (int axis = 0; axis < 3; ++axis) {
+        int last = grid_cells[axis];
+        bool up = goes_up(ray, axis);
+        if (goes_along(ray, axis)) {
+            //# exercise 4.1: the part of a ray in the grid
+            real enters = crossing(ray, axis, up ? 0 : last);
+            real leaves = crossing(ray, axis, up ? last : 0);
+            part.start = enters > part.start ? enters : part.start;
+            part.end = leaves < part.end ? leaves : part.end;
+            //# stub: part.end = -real(farthest);
+            //# end
+        } else if (ray.origin[axis] < plane_of_grid(axis, 0) ||
+                   ray.origin[axis] > plane_of_grid(axis, last)) {
+            part.start = real(farthest);
+            part.end = -real(farthest);
+        }
+    }
+    return part;
+}

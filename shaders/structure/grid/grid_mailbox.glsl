@@ -3,12 +3,11 @@
 // ray that tested it last; but here rays go in parallel and cannot write. Instead each reference
 // knows in which neighbours its triangle is listed: the ray has just left one of those, and leaves
 // a cell only when all of its triangles are tested.
-#include "layout/grid.glsl"
-#include "geometry/grid_plane.glsl"
-#include "geometry/grid_crossing.glsl"
+#include "structure/grid/grid_plane.glsl"
+#include "structure/grid/grid_cells.glsl"
 
 bool is_tested(int reference, int face) {
     return face != no_grid_face && is_across_grid_face(reference, face);
 }
 
-#include "geometry/grid_walk.glsl"
+#include "structure/grid/grid_walk.glsl"

@@ -1,9 +1,9 @@
 // A kd-tree, walked without a stack: after each leaf, down again from the root. Source: Foley and
 // Sugerman, "KD-tree acceleration structures for a GPU raytracer", 2005.
-#include "layout/kd_tree.glsl"
+#include "structure/kd_tree/kd_nodes.glsl"
 
-#include "geometry/kd_descent.glsl"
-#include "geometry/kd_leaf.glsl"
+#include "structure/kd_tree/kd_descent.glsl"
+#include "structure/kd_tree/kd_leaf.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

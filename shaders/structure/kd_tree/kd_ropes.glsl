@@ -2,13 +2,13 @@
 // which the ray leaves. Source: Popov, Guenther, Seidel and Slusallek, "Stackless KD-tree traversal
 // for high performance GPU ray tracing", 2007, after Havran, Bittner and Zara, "Ray tracing with
 // rope trees", 1998.
-#include "layout/kd_boxes.glsl"
-#include "layout/kd_ropes.glsl"
-#include "layout/kd_tree.glsl"
+#include "structure/kd_tree/kd_boxes.glsl"
+#include "structure/kd_tree/kd_rope_links.glsl"
+#include "structure/kd_tree/kd_nodes.glsl"
 
-#include "geometry/kd_descent.glsl"
-#include "geometry/kd_exit.glsl"
-#include "geometry/kd_leaf.glsl"
+#include "structure/kd_tree/kd_descent.glsl"
+#include "structure/kd_tree/kd_exit.glsl"
+#include "structure/kd_tree/kd_leaf.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

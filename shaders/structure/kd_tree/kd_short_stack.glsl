@@ -2,10 +2,10 @@
 // before. When it is empty, down again, not from the root, but from the last node that holds the
 // whole rest of the ray (push-down). Source: Horn, Sugerman, Houston and Hanrahan, "Interactive k-D
 // tree GPU raytracing", 2007.
-#include "layout/kd_tree.glsl"
+#include "structure/kd_tree/kd_nodes.glsl"
 
-#include "geometry/kd_descent.glsl"
-#include "geometry/kd_leaf.glsl"
+#include "structure/kd_tree/kd_descent.glsl"
+#include "structure/kd_tree/kd_leaf.glsl"
 
 const int short_stack_size = 8;
 

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "mirror/every_triangle.h"
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ TEST_CASE("the exact area has the sign of the true one and almost its value", "[
             const double area = area_of(a, b, scale);
             const double expected = static_cast<double>(exact) * scale * scale;
             CAPTURE(a.x, a.y, b.x, b.y, scale);
-            // 4 roundings of 2^-24 each (geometry/exact_area.glsl).
+            // 4 roundings of 2^-24 each (triangle/watertight/exact_area.glsl).
             REQUIRE(std::abs(area - expected) <= 4 * 0x1p-24 * std::abs(expected));
         }
     }

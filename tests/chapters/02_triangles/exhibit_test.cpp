@@ -1,12 +1,12 @@
 #include "catch.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/load_scene.h"
 #include "scene/shapes.h"
 #include "support/expected_picture.h"
 #include "support/gpu_hits.h"
 
-#include "render/generate_rays.h"
+#include "render/rays.h"
 #include "render/show_hits.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ TEST_CASE("the picture of chapter 02 is the expected one", "[02][picture]") {
     const auto context = make_context(ContextKind::automatic);
     const Scene scene = load_scene("knot:2", 1.0f);
     const SceneTextures textures = upload(scene);
-    TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"}}, measure_limits());
+    TraceRays trace({{"triangle", "triangle/watertight.glsl"}}, measure_limits());
     const RayTextures rays = generate_rays(scene.camera, 256, 256, RayGeneration::direct);
     const Image image = show_hits(rays, trace.closest_hits(rays, textures), textures, scene.camera,
                                   scene.background, "view/normals.glsl");

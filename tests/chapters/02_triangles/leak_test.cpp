@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "hard_cases/leak_rays.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"
@@ -87,7 +87,7 @@ TEST_CASE("a ray without a direction is empty and hits nothing", "[02][triangle]
     const Scene scene = scene_of(join(triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}),
                                       triangle({0, 0, 0}, {0, 0, 1}, {1, 0, 1})));
     const auto context = make_context(ContextKind::automatic);
-    TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"}}, 1);
+    TraceRays trace({{"triangle", "triangle/watertight.glsl"}}, 1);
     const SceneTextures textures = upload(scene);
     Watertight mirror{};
     for (const glm::vec3& direction : {glm::vec3(0.0f), glm::vec3(-0.0f), {0.0f, -0.0f, 0.0f}}) {

@@ -74,7 +74,7 @@ TEST_CASE("the wavefront paints what the recursive reference paints", "[03][refe
 
 TEST_CASE("a scene of any size gives the same picture bit for bit", "[03][hard_case]") {
     // A power of two changes no bit of a float but its exponent: what differs has overflowed or
-    // underflowed. (Far below 2^-30, products are under least_product of layout/real_float.glsl,
+    // underflowed. (Far below 2^-30, products are under least_product of real/float.glsl,
     // and the areas are no longer exact.)
     const auto context = make_context(ContextKind::automatic);
     const Scene scene = load_scene("mirrors", 1.0f);

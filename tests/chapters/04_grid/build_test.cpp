@@ -1,10 +1,10 @@
 #include "catch.h"
-#include "geometry/grid_plane.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "structure/grid/grid.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
-#include "structure/build_grid.h"
-#include "structure/check_grid.h"
+#include "structure/grid/build_grid.h"
+#include "structure/grid/check_grid.h"
 #include "support/error_of.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "grid_hits.h"
-#include "hard_cases/coincident.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 
 using namespace raysteps;

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "geometry/grid_plane.h"
+#include "structure/grid/grid.h"
 #include "grid_hits.h"
 
 #include <algorithm>

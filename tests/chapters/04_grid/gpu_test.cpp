@@ -48,7 +48,7 @@ TEST_CASE("the GPU answers rays that are no rays", "[04][gpu][hard_case]") {
     const SceneTextures textures = upload(scene, built);
     for (const std::string structure : {"grid", "grid_mailbox"}) {
         CAPTURE(structure);
-        TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"},
+        TraceRays trace({{"triangle", "triangle/watertight.glsl"},
                          {"structure", "structure/" + structure + ".glsl"}},
                         2048);
         const std::vector<Hit> hits =

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "catch.h"
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/loose_triangles.h"
+#include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "mirror/grid.h"
-#include "structure/build_grid.h"
-#include "structure/reach.h"
+#include "structure/grid/build_grid.h"
+#include "structure/padding.h"
 #include "support/gpu_hits.h"
 #include "support/walk_hits.h"
 

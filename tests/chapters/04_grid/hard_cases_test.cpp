@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "grid_hits.h"
-#include "hard_cases/across_cells.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 #include "support/hard_scenes.h"
 

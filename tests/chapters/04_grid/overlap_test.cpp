@@ -1,9 +1,9 @@
 #include "catch.h"
-#include "geometry/grid_plane.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
-#include "structure/clip_triangle.h"
-#include "structure/grid_overlap.h"
+#include "structure/grid/grid.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
+#include "structure/kd_tree/kd_split.h"
+#include "structure/grid/grid_overlap.h"
 
 #include <set>
 

@@ -1,10 +1,10 @@
 #include "catch.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
-#include "structure/check_kd_tree.h"
-#include "structure/families.h"
-#include "structure/kd_plane.h"
-#include "structure/measure_kd_tree.h"
+#include "structure/kd_tree/check_kd_tree.h"
+#include "structure/structure.h"
+#include "structure/kd_tree/kd_split.h"
+#include "structure/kd_tree/kd_tree.h"
 #include "support/error_of.h"
 
 #include <rapidcheck.h>

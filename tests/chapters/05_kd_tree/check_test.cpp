@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
-#include "structure/check_kd_tree.h"
+#include "structure/kd_tree/check_kd_tree.h"
 
 #include <algorithm>
 

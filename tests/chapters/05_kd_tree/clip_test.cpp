@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "scene/random_numbers.h"
-#include "structure/clip_triangle.h"
+#include "basics/random_numbers.h"
+#include "structure/kd_tree/kd_split.h"
 
 using namespace raysteps;
 

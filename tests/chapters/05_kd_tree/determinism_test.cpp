@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "hard_cases/coincident.h"
+#include "hard_cases/meshes.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
 

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
-#include "structure/clip_triangle.h"
+#include "structure/kd_tree/kd_split.h"
 
 #include <algorithm>
 

@@ -1,12 +1,10 @@
 #include "catch.h"
-#include "hard_cases/across_cells.h"
-#include "hard_cases/deep_trees.h"
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/split_plane_rays.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "kd_hits.h"
 #include "recorded_walks.h"
 #include "scene/shapes.h"
-#include "structure/check_kd_tree.h"
+#include "structure/kd_tree/check_kd_tree.h"
 #include "support/hard_scenes.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/kd_tree.h"
-#include "structure/build_kd_tree.h"
-#include "structure/reach.h"
+#include "structure/kd_tree/build_kd_tree.h"
+#include "structure/padding.h"
 #include "support/gpu_hits.h"
 #include "support/walk_hits.h"
 

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "hard_cases/split_plane_rays.h"
+#include "hard_cases/aimed_rays.h"
 #include "kd_hits.h"
 #include "scene/shapes.h"
 

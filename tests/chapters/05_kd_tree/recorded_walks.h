@@ -10,33 +10,33 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct RecordedRestart {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_restart.glsl"
-#define OBSERVER_PART "05_kd_tree/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_restart.glsl"
+#define OBSERVER_PART "chapters/05_kd_tree/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct RecordedBacktrack {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_backtrack.glsl"
-#define OBSERVER_PART "05_kd_tree/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_backtrack.glsl"
+#define OBSERVER_PART "chapters/05_kd_tree/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct RecordedShortStack {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_short_stack.glsl"
-#define OBSERVER_PART "05_kd_tree/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_short_stack.glsl"
+#define OBSERVER_PART "chapters/05_kd_tree/recorder.inc"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct RecordedRopes {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/kd_ropes.glsl"
-#define OBSERVER_PART "05_kd_tree/recorder.inc"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/kd_tree/kd_ropes.glsl"
+#define OBSERVER_PART "chapters/05_kd_tree/recorder.inc"
 #include "mirror/parts.inc"
 };
 

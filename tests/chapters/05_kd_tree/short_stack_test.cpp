@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "hard_cases/deep_trees.h"
+#include "hard_cases/meshes.h"
 #include "kd_hits.h"
 #include "recorded_walks.h"
 #include "scene/shapes.h"

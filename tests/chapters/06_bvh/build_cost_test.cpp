@@ -1,6 +1,6 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "hard_cases/deep_trees.h"
+#include "hard_cases/meshes.h"
 
 #include <span>
 

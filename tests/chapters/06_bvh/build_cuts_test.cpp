@@ -1,8 +1,6 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "structure/split_binned.h"
-#include "structure/split_median.h"
-#include "structure/split_sweep.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <rapidcheck.h>
 

@@ -1,8 +1,7 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "hard_cases/coincident.h"
-#include "hard_cases/deep_trees.h"
-#include "structure/bvh_item.h"
+#include "hard_cases/meshes.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <cmath>

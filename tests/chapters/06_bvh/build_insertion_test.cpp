@@ -1,7 +1,7 @@
 #include "build_trees.h"
 #include "catch.h"
 #include "scene/shapes.h"
-#include "structure/bvh_insertion.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 

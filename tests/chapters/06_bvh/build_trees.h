@@ -1,10 +1,10 @@
 #pragma once
 
-#include "hard_cases/loose_triangles.h"
-#include "structure/build_bvh.h"
-#include "structure/bvh_cut.h"
-#include "structure/check_bvh.h"
-#include "structure/measure_bvh.h"
+#include "hard_cases/meshes.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/bvh/bvh_split.h"
+#include "structure/bvh/check_bvh.h"
+#include "structure/bvh/bvh.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/every_triangle.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/bvh.h"
-#include "structure/build_bvh.h"
-#include "structure/reach.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/padding.h"
 #include "support/scene_of.h"
 #include "support/walk_hits.h"
 

@@ -1,8 +1,8 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "hard_cases/aimed_boxes.h"
+#include "hard_cases/aimed_rays.h"
 #include "support/error_of.h"
-#include "trials/box_tests.h"
+#include "hard_cases/box_tests.h"
 
 #include <algorithm>
 #include <limits>

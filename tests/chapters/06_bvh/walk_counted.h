@@ -7,32 +7,32 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct BvhSkipCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_skip.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_skip.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhOrderedCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_ordered.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_ordered.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhParentCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_parent.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_parent.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct BvhStackCounted {
-#define TRIANGLE_PART "geometry/triangle_watertight.glsl"
-#define STRUCTURE_PART "structure/bvh_stack.glsl"
+#define TRIANGLE_PART "triangle/watertight.glsl"
+#define STRUCTURE_PART "structure/bvh/bvh_stack.glsl"
 #define OBSERVER_PART "observer/count.glsl"
 #include "mirror/parts.inc"
 };

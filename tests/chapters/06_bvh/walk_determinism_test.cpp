@@ -1,7 +1,7 @@
 #include "build_trees.h"
 #include "bvh_hits.h"
 #include "catch.h"
-#include "hard_cases/coincident.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 
 using namespace raysteps;

@@ -1,6 +1,6 @@
 #include "build_trees.h"
 #include "catch.h"
-#include "structure/families.h"
+#include "structure/structure.h"
 #include "support/error_of.h"
 
 #include <algorithm>

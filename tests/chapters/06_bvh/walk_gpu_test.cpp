@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 #include "support/compare_hits.h"
 #include "support/gpu_hits.h"

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "geometry/cosine_direction.h"
-#include "scene/random_numbers.h"
+#include "measure/cosine_direction.h"
+#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 

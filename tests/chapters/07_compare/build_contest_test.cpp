@@ -1,9 +1,9 @@
-#include "compare/build_contest.h"
+#include "07_compare/build_contest.h"
 
 #include "catch.h"
-#include "embree/embree_builder.h"
-#include "error/error.h"
-#include "hard_cases/loose_triangles.h"
+#include "reference/embree/embree.h"
+#include "basics/error.h"
+#include "hard_cases/meshes.h"
 #include "scene/load_scene.h"
 
 using namespace raysteps;

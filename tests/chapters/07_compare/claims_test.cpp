@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "compare/claims.h"
+#include "07_compare/claims.h"
 
 using namespace raysteps;
 

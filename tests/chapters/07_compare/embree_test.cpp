@@ -1,10 +1,10 @@
-#include "embree/embree_scene.h"
+#include "reference/embree/embree.h"
 
 #include "catch.h"
 #include "reference/brute_force.h"
-#include "reference/rounding_bound.h"
-#include "reference/sphere_mesh.h"
-#include "scene/random_numbers.h"
+#include "modules/reference/rounding_bound.h"
+#include "modules/reference/sphere_mesh.h"
+#include "basics/random_numbers.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "compare/growth_lines.h"
+#include "07_compare/growth_lines.h"
 #include "support/error_of.h"
 
 using namespace raysteps;

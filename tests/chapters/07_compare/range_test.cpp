@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "report/measured_range.h"
+#include "measure/statistics.h"
 
 using namespace raysteps;
 

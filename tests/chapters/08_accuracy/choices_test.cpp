@@ -1,13 +1,13 @@
-#include "accuracy/grid_knob.h"
-#include "accuracy/grid_trail.h"
-#include "accuracy/image_knobs.h"
-#include "accuracy/offset_knob.h"
-#include "accuracy/primary_knob.h"
-#include "accuracy/slab_knob.h"
-#include "accuracy/verdict.h"
+#include "08_accuracy/grid_knob.h"
+#include "08_accuracy/grid_trail.h"
+#include "08_accuracy/image_knobs.h"
+#include "08_accuracy/offset_knob.h"
+#include "08_accuracy/primary_knob.h"
+#include "08_accuracy/slab_knob.h"
+#include "08_accuracy/verdict.h"
 #include "catch.h"
 #include "gpu/context.h"
-#include "reference/exact_box.h"
+#include "reference/exact.h"
 
 #include <map>
 

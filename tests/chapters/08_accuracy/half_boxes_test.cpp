@@ -1,9 +1,9 @@
-#include "structure/half_bvh.h"
+#include "structure/bvh/bvh.h"
 
 #include "catch.h"
-#include "hard_cases/loose_triangles.h"
-#include "scene/random_numbers.h"
-#include "structure/families.h"
+#include "hard_cases/meshes.h"
+#include "basics/random_numbers.h"
+#include "structure/structure.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "accuracy/judge_hits.h"
+#include "08_accuracy/judge_hits.h"
 
-#include "accuracy/fault_rate.h"
-#include "accuracy/judge_picture.h"
-#include "accuracy/similarity.h"
+#include "08_accuracy/fault_rate.h"
+#include "08_accuracy/judge_picture.h"
+#include "08_accuracy/similarity.h"
 #include "catch.h"
-#include "reference/exact_nearest.h"
-#include "scene/random_numbers.h"
+#include "reference/exact.h"
+#include "basics/random_numbers.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"
 

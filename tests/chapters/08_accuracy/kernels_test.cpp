@@ -1,12 +1,12 @@
-#include "accuracy/aimed_rays.h"
-#include "accuracy/judge_hits.h"
-#include "accuracy/subject.h"
-#include "accuracy/triangle_knob.h"
+#include "08_accuracy/aimed_rays.h"
+#include "08_accuracy/judge_hits.h"
+#include "08_accuracy/subject.h"
+#include "08_accuracy/triangle_knob.h"
 #include "catch.h"
 #include "gpu/context.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/aimed_rays.h"
 #include "mirror/mirror_scene.h"
-#include "reference/exact_nearest.h"
+#include "reference/exact.h"
 #include "render/trace_rays.h"
 #include "scene/shapes.h"
 #include "support/same_bits.h"
@@ -20,14 +20,14 @@ namespace raysteps::mirror {
 
 template <class Real>
 struct EveryTrianglePluecker {
-#define TRIANGLE_PART "geometry/triangle_pluecker.glsl"
+#define TRIANGLE_PART "triangle/pluecker.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
 
 template <class Real>
 struct EveryTriangleFallback {
-#define TRIANGLE_PART "geometry/triangle_watertight_fallback.glsl"
+#define TRIANGLE_PART "triangle/watertight_fallback.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"
 };
@@ -110,11 +110,11 @@ TEST_CASE("new triangle tests give the same bits in GLSL and in C++", "[08][tria
     for (const AimedFamily& family : aim_at(subject->scene.corners, ray_count, seed)) {
         CAPTURE(family.name);
         const std::vector<Hit> pluecker =
-            hits_with(*subject, {{"triangle", "geometry/triangle_pluecker.glsl"}}, family.rays);
+            hits_with(*subject, {{"triangle", "triangle/pluecker.glsl"}}, family.rays);
         CHECK(count_unlike_mirror<mirror::EveryTrianglePluecker<float>>(subject->scene, family.rays,
                                                                         pluecker) == 0);
         const std::vector<Hit> fallback = hits_with(
-            *subject, {{"triangle", "geometry/triangle_watertight_fallback.glsl"}}, family.rays);
+            *subject, {{"triangle", "triangle/watertight_fallback.glsl"}}, family.rays);
         CHECK(count_unlike_mirror<mirror::EveryTriangleFallback<float>>(subject->scene, family.rays,
                                                                         fallback) == 0);
     }
@@ -171,8 +171,8 @@ TEST_CASE("a kernel in double gives the float nearest to the true t", "[08][prec
     const AimedFamily& family = families.at(1);
     REQUIRE(family.name == "inside");
     const std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, subject->scene.corners);
-    const Parts parts{{"triangle", "geometry/triangle_watertight_rounded.glsl"},
-                      {"real", "layout/double_precision.glsl"}};
+    const Parts parts{{"triangle", "triangle/watertight_rounded.glsl"},
+                      {"real", "exhibit/double_precision.glsl"}};
     const Findings findings = judge_hits(family.rays, hits_with(*subject, parts, family.rays),
                                          truth, subject->scene.corners);
     CHECK(faults_of(findings) == 0);

@@ -1,4 +1,4 @@
-#include "accuracy/scene_needs.h"
+#include "08_accuracy/scene_needs.h"
 #include "catch.h"
 #include "scene/shapes.h"
 #include "support/scene_of.h"

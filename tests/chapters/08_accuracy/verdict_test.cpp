@@ -1,10 +1,10 @@
-#include "accuracy/verdict.h"
+#include "08_accuracy/verdict.h"
 
-#include "accuracy/run_knob.h"
+#include "08_accuracy/run_knob.h"
 #include "catch.h"
-#include "error/error.h"
-#include "report/base64.h"
-#include "report/scatter_plot.h"
+#include "basics/error.h"
+#include "08_accuracy/base64.h"
+#include "08_accuracy/scatter_plot.h"
 #include "support/error_of.h"
 
 #include <algorithm>

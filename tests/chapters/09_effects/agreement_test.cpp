@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "effect_pictures.h"
 #include "reference/whitted_tree.h"
-#include "scene/sample_surfaces.h"
+#include "scene/samples/samples.h"
 
 #include <glm/common.hpp>
 

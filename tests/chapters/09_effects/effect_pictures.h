@@ -1,11 +1,11 @@
 #pragma once
 
-#include "effects/effects_renderer.h"
+#include "render/effects/effects_renderer.h"
 #include "gpu/context.h"
 #include "scene/load_scene.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
-#include "structure/families.h"
+#include "structure/structure.h"
 
 #include <string>
 
@@ -25,8 +25,8 @@ inline EffectPicture effect_picture(const Scene& scene, int side, const std::str
     picture.plan = make_plan(scene, 1.0, choice, quality);
     const BuiltStructure structure = family_of("bvh_ordered").build(scene.corners, {});
     EffectsRenderer renderer(scene, upload(scene, structure), picture.plan,
-                             {{"triangle", "geometry/triangle_watertight.glsl"},
-                              {"structure", "structure/bvh_ordered.glsl"}},
+                             {{"triangle", "triangle/watertight.glsl"},
+                              {"structure", "structure/bvh/bvh_ordered.glsl"}},
                              measure_limits());
     picture.image = renderer.render(scene.camera, side, side);
     picture.tally = renderer.tally();

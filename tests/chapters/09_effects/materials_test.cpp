@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "effect_pictures.h"
-#include "scene/load_obj.h"
+#include "scene/obj/load_obj.h"
 
 #include <algorithm>
 #include <cmath>

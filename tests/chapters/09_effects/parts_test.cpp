@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/clear_surface.h"
-#include "scene/random_numbers.h"
+#include "reference/whitted_tree.h"
+#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

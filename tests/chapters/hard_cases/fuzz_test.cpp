@@ -1,12 +1,12 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "hard_cases/garbage.h"
-#include "hard_cases/ray_families.h"
+#include "hard_cases/aimed_rays.h"
 #include "scene/load_scene.h"
 #include "scene/ray_file.h"
 #include "support/scratch_folder.h"
-#include "trials/fault_files.h"
-#include "trials/fuzz.h"
+#include "hard_cases/fault_files.h"
+#include "hard_cases/fuzz.h"
 
 #include <algorithm>
 #include <limits>

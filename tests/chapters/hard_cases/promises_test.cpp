@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "gpu/context.h"
-#include "gpu/shader_catalog.h"
-#include "trials/mirror_methods.h"
-#include "trials/trials.h"
+#include "gpu/shaders.h"
+#include "hard_cases/mirror_methods.h"
+#include "hard_cases/trials.h"
 
 #include <set>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 #include "render/trace_rays.h"
 #include "scene/scene.h"
-#include "structure/families.h"
-#include "structure/reach.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
 
 #include <map>
 #include <span>
@@ -65,7 +65,7 @@ public:
 private:
     template <class Rounds>
     static TraceRays tracer(const std::string& structure, const Rounds& rounds) {
-        return {{{"triangle", "geometry/triangle_watertight.glsl"},
+        return {{{"triangle", "triangle/watertight.glsl"},
                  {"structure", find_part("structure", structure)}},
                 rounds};
     }

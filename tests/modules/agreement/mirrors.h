@@ -2,9 +2,9 @@
 
 #include "mirror/grid.h"
 #include "mirror/kd_tree.h"
-#include "structure/build_grid.h"
-#include "structure/build_kd_tree.h"
-#include "structure/reach.h"
+#include "structure/grid/build_grid.h"
+#include "structure/kd_tree/build_kd_tree.h"
+#include "structure/padding.h"
 #include "support/walk_hits.h"
 
 #include <map>

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "hard_cases/lattice_rays.h"
-#include "hard_cases/split_plane_rays.h"
-#include "structure/build_grid.h"
-#include "structure/build_kd_tree.h"
+#include "hard_cases/aimed_rays.h"
+#include "structure/grid/build_grid.h"
+#include "structure/kd_tree/build_kd_tree.h"
 
 #include <utility>
 #include <vector>

@@ -1,9 +1,8 @@
-#include "file/write_file.h"
+#include "basics/file.h"
 
 #include "support/error_of.h"
 #include "support/scratch_folder.h"
 
-#include "file/read_file.h"
 
 #include "catch.h"
 

@@ -16,7 +16,7 @@ class Surroundings {
 public:
     Surroundings()
         : hits_(hit_texels(width, height, [](int, int) { return -1; })),
-          weights_(TexelFormat::rgba32f, width, height), program_("pass/add_surroundings.frag") {
+          weights_(TexelFormat::rgba32f, width, height), program_("pass/light/add_surroundings.frag") {
         write_texels(weights_, std::vector<glm::vec4>(pixel_count, glm::vec4(1.0f)));
         program_.set("hits", hits_)
             .set("weights", weights_)
@@ -64,7 +64,7 @@ TEST_CASE("a color that replaces leaves nothing of what was there", "[gpu][draw]
 
 TEST_CASE("a pass writes each of its outputs into a texture of its own", "[gpu][draw]") {
     const auto context = make_context(ContextKind::automatic);
-    Program program("pass/compute_rays.frag");
+    Program program("pass/rays/compute_rays.frag");
     program.set("view.eye", glm::vec3(1.0f, 2.0f, 3.0f))
         .set("view.lower_left", glm::vec3(-1.0f, -2.0f, -4.0f))
         .set("view.right", glm::vec3(2.0f, 0.0f, 0.0f))
@@ -88,7 +88,7 @@ TEST_CASE("a rectangle covers every pixel once", "[gpu][draw]") {
     const Texture origins(TexelFormat::rgba32f, 31, 17);
     const Texture directions(TexelFormat::rgba32f, 31, 17);
     clear(origins);
-    Program program("pass/interpolate_rays.frag");
+    Program program("pass/rays/interpolate_rays.frag");
     program.set("view.eye", glm::vec3(1.0f));
     // Added, a pixel that is drawn twice would be 2.
     draw(program,

@@ -26,7 +26,7 @@ int miss_in_lowest_row(int, int row) {
 
 TEST_CASE("at first all pixels of a mask are live", "[gpu][live_mask]") {
     const auto context = make_context(ContextKind::automatic);
-    const Program all("pass/select_all.frag");
+    const Program all("pass/select/select_all.frag");
     CHECK(count_live(LiveMask(width, height), all) == 24);
     CHECK(count_live(LiveMask(1, 1), all) == 1);
     CHECK(count_live(LiveMask(513, 3), all) == 1539);
@@ -35,7 +35,7 @@ TEST_CASE("at first all pixels of a mask are live", "[gpu][live_mask]") {
 TEST_CASE("only the pixels that the program draws are counted", "[gpu][live_mask]") {
     const auto context = make_context(ContextKind::automatic);
     const Texture hits = hit_texels(width, height, miss_in_lowest_row);
-    Program misses("pass/select_misses.frag");
+    Program misses("pass/select/select_misses.frag");
     misses.set("hits", hits);
     const LiveMask mask(width, height);
     CHECK(count_live(mask, misses) == 6);
@@ -44,10 +44,10 @@ TEST_CASE("only the pixels that the program draws are counted", "[gpu][live_mask
 
 TEST_CASE("retired pixels are those that the program draws", "[gpu][live_mask]") {
     const auto context = make_context(ContextKind::automatic);
-    const Program all("pass/select_all.frag");
+    const Program all("pass/select/select_all.frag");
     const Texture columns = hit_texels(width, height, miss_in_odd_columns);
     const Texture lowest_row = hit_texels(width, height, miss_in_lowest_row);
-    Program misses("pass/select_misses.frag");
+    Program misses("pass/select/select_misses.frag");
     LiveMask mask(width, height);
 
     retire(mask, misses.set("hits", columns));
@@ -64,13 +64,13 @@ TEST_CASE("retired pixels are those that the program draws", "[gpu][live_mask]")
 TEST_CASE("dead pixels are not drawn", "[gpu][live_mask][draw]") {
     const auto context = make_context(ContextKind::automatic);
     const Texture columns = hit_texels(width, height, miss_in_odd_columns);
-    Program misses("pass/select_misses.frag");
+    Program misses("pass/select/select_misses.frag");
     LiveMask mask(width, height);
     retire(mask, misses.set("hits", columns));
 
     const Texture target(TexelFormat::rgba32f, width, height);
     write_texels(target, std::vector<glm::vec4>(24, glm::vec4(5.0f)));
-    const Program ones("pass/start_weights.frag");
+    const Program ones("pass/light/start_weights.frag");
     draw(ones, {.textures = {target}, .live = &mask});
     const std::vector<glm::vec4> texels = read_floats(target);
     for (int i = 0; i < width * height; ++i) {

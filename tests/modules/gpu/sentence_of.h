@@ -1,6 +1,6 @@
 #pragma once
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #include "catch.h"
-#include "error/error.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/program.h"
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 
 #include <filesystem>
 #include <fstream>
@@ -85,13 +85,13 @@ TEST_CASE("messages of every kind of compiler get the names of the files", "[gpu
 TEST_CASE("the compiler of this machine names the line of the part that is wrong", "[gpu]") {
     const auto context = make_context(ContextKind::automatic);
     const std::string sentence = sentence_of([] {
-        Program("pass/trace.frag", {{"triangle", "geometry/exhibit_paper_as_printed.glsl"},
+        Program("pass/trace/trace.frag", {{"triangle", "exhibit/paper_as_printed.glsl"},
                                     {"structure", "structure/every_triangle.glsl"},
                                     {"observer", "observer/none.glsl"}});
     });
     CAPTURE(sentence);
-    CHECK_THAT(sentence, starts_with_text("The shader pass/trace.frag does not compile"));
-    CHECK_THAT(sentence, contains_text("geometry/exhibit_paper_as_printed.glsl:30:"));
+    CHECK_THAT(sentence, starts_with_text("The shader pass/trace/trace.frag does not compile"));
+    CHECK_THAT(sentence, contains_text("exhibit/paper_as_printed.glsl:30:"));
 }
 
 TEST_CASE("every program that can be composed compiles and links", "[gpu]") {

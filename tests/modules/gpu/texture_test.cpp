@@ -79,7 +79,7 @@ TEST_CASE("a pass copies integers with all their bits", "[gpu][texture][draw]") 
     const Texture from(TexelFormat::rgba32ui, 33, 5);
     const Texture to(TexelFormat::rgba32ui, 33, 5);
     write_texels(from, texels);
-    Program program("pass/probe_bits.frag");
+    Program program("pass/trace/probe_bits.frag");
     program.set("bits", from);
     draw(program, {.textures = {to}});
     CHECK(read_integers(to) == texels);

@@ -1,7 +1,6 @@
-#include "image/color_map.h"
+#include "image/color.h"
 
-#include "image/color_space.h"
-#include "image/count_nan_pixels.h"
+#include "image/image.h"
 
 #include "catch.h"
 

@@ -1,4 +1,4 @@
-#include "image/color_space.h"
+#include "image/color.h"
 
 #include "catch.h"
 

@@ -1,4 +1,4 @@
-#include "image/heat_map_range.h"
+#include "image/heat_map.h"
 
 #include "support/error_of.h"
 

@@ -3,8 +3,7 @@
 #include "count_ink.h"
 #include "support/error_of.h"
 
-#include "image/color_map.h"
-#include "image/draw_legend.h"
+#include "image/color.h"
 
 #include "catch.h"
 

@@ -1,4 +1,4 @@
-#include "image/write_pfm.h"
+#include "image/image_file.h"
 
 #include "random_image.h"
 #include "support/error_of.h"

@@ -1,12 +1,11 @@
-#include "image/read_picture.h"
-#include "image/write_png.h"
+#include "image/image_file.h"
 
 #include "random_image.h"
 #include "support/error_of.h"
 #include "support/scratch_folder.h"
 
-#include "image/color_space.h"
-#include "image/count_nan_pixels.h"
+#include "image/color.h"
+#include "image/image.h"
 
 #include "catch.h"
 

@@ -1,9 +1,9 @@
-#include "image/read_picture.h"
+#include "image/image_file.h"
 
 #include "support/error_of.h"
 #include "support/scratch_folder.h"
 
-#include "image/color_space.h"
+#include "image/color.h"
 
 #include "catch.h"
 

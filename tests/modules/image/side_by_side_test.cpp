@@ -1,9 +1,8 @@
-#include "image/side_by_side.h"
+#include "image/image.h"
 
 #include "count_ink.h"
 #include "support/error_of.h"
 
-#include "image/compose.h"
 
 #include "catch.h"
 

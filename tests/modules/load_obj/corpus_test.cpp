@@ -1,8 +1,8 @@
 #include "first_fault.h"
 #include "model_folder.h"
 
-#include "error/error.h"
-#include "scene/load_obj.h"
+#include "basics/error.h"
+#include "scene/obj/load_obj.h"
 
 #include "catch.h"
 

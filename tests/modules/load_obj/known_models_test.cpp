@@ -1,7 +1,7 @@
 #include "first_fault.h"
 #include "model_folder.h"
 
-#include "scene/load_obj.h"
+#include "scene/obj/load_obj.h"
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 #include "model_folder.h"
 
-#include "scene/load_obj.h"
-#include "scene/mtl_files.h"
+#include "scene/obj/load_obj.h"
+#include "scene/obj/mtl.h"
 
 #include "catch.h"
 

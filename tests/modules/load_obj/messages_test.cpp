@@ -1,6 +1,6 @@
 #include "model_folder.h"
 
-#include "scene/load_obj.h"
+#include "scene/obj/load_obj.h"
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 #include "model_folder.h"
 
-#include "error/error.h"
-#include "scene/load_obj.h"
+#include "basics/error.h"
+#include "scene/obj/load_obj.h"
 
 #include <fstream>
 

@@ -1,4 +1,4 @@
-#include "scene/polygon_strips.h"
+#include "scene/obj/polygon.h"
 
 #include "catch.h"
 

@@ -1,9 +1,8 @@
 #include "model_folder.h"
 
-#include "scene/load_obj.h"
-#include "scene/normals.h"
-#include "scene/polygon_plane.h"
-#include "scene/polygon_triangles.h"
+#include "scene/obj/load_obj.h"
+#include "scene/mesh.h"
+#include "scene/obj/polygon.h"
 
 #include "catch.h"
 

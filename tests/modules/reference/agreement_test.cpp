@@ -1,5 +1,5 @@
 #include "reference/brute_force.h"
-#include "reference/exact_nearest.h"
+#include "reference/exact.h"
 
 #include "catch.h"
 #include "ray_families.h"

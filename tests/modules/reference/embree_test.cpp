@@ -1,8 +1,8 @@
-#include "embree/embree_scene.h"
+#include "reference/embree/embree.h"
 
 #include "catch.h"
 #include "ray_families.h"
-#include "reference/exact_nearest.h"
+#include "reference/exact.h"
 #include "rounding_bound.h"
 #include "sphere_mesh.h"
 

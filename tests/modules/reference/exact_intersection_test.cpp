@@ -1,7 +1,6 @@
-#include "reference/exact_intersection.h"
+#include "reference/exact.h"
 
 #include "catch.h"
-#include "reference/exact_solution.h"
 #include "unit_triangle.h"
 
 #include <cmath>

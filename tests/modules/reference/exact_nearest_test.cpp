@@ -1,8 +1,7 @@
-#include "reference/exact_nearest.h"
+#include "reference/exact.h"
 
 #include "catch.h"
 #include "ray_families.h"
-#include "reference/sure_miss.h"
 #include "rounding_bound.h"
 #include "sphere_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "reference/exact_intersection.h"
+#include "reference/exact.h"
 
 #include "catch.h"
 #include "ray_families.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/layout.h"
-#include "reference/exact_intersection.h"
+#include "basics/ray.h"
+#include "reference/exact.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

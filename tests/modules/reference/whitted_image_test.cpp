@@ -1,6 +1,6 @@
 #include "whitted_checks.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 #include <glm/trigonometric.hpp>
 

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "replay/parting.h"
+#include "visualizer/replay/parting.h"
 #include "replayed.h"
 
 using namespace raysteps;

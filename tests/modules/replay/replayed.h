@@ -1,14 +1,14 @@
 #pragma once
 
-#include "hard_cases/loose_triangles.h"
-#include "hard_cases/ray_families.h"
-#include "replay/recorded_path.h"
-#include "replay/structure_cells.h"
-#include "replay/walk_recorder.h"
+#include "hard_cases/meshes.h"
+#include "hard_cases/aimed_rays.h"
+#include "visualizer/replay/recorded_path.h"
+#include "visualizer/replay/structure_cells.h"
+#include "visualizer/replay/walk_recorder.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
-#include "structure/families.h"
-#include "structure/reach.h"
+#include "structure/structure.h"
+#include "structure/padding.h"
 #include "support/gpu_hits.h"
 
 #include <map>

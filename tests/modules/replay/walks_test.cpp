@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 #include "replayed.h"
 #include "support/same_bits.h"
 
@@ -56,7 +56,7 @@ TEST_CASE("a recorded walk is what the GPU counts and finds for the same ray", "
     for (const std::string& structure : recorded_structures()) {
         CAPTURE(structure);
         const Replayed replayed(scene, structure, reach_of(rays, scene.corners));
-        TraceRays trace({{"triangle", "geometry/triangle_watertight.glsl"},
+        TraceRays trace({{"triangle", "triangle/watertight.glsl"},
                          {"structure", "structure/" + structure + ".glsl"},
                          {"observer", "observer/count.glsl"}},
                         2048);
@@ -175,7 +175,7 @@ TEST_CASE("a box that a BVH walk enters holds the ray as long as the step says",
                     const glm::dvec3 point =
                         glm::dvec3(ray.origin) + static_cast<double>(t) * glm::dvec3(ray.direction);
                     for (int axis = 0; axis < 3; ++axis) {
-                        // A plane's t is rounded three times (geometry/box_ray.glsl): 3 e M, and
+                        // A plane's t is rounded three times (structure/bvh/box_ray.glsl): 3 e M, and
                         // M is under 8 here.
                         const double room = 3.0 * 0x1p-24 * 8.0;
                         outside += point[axis] < static_cast<double>(box.lower[axis]) - room ||

@@ -1,7 +1,7 @@
 #include "catch.h"
-#include "error/error.h"
-#include "replay/sentence.h"
-#include "replay/shader_line.h"
+#include "basics/error.h"
+#include "visualizer/replay/sentence.h"
+#include "visualizer/replay/shader_line.h"
 #include "replayed.h"
 
 using namespace raysteps;
@@ -13,9 +13,9 @@ TEST_CASE("every line that decides a step stands once in its shader", "[replay][
         CHECK(line.number > 0);
         CHECK(contains_text(marker.words).match(line.text));
     }
-    CHECK_THROWS_WITH(find_line({"geometry/hit.glsl", "no such words"}),
-                      contains_text("geometry/hit.glsl"));
-    CHECK_THROWS_AS(find_line({"geometry/hit.glsl", "real"}), MachineError);
+    CHECK_THROWS_WITH(find_line({"core/hit.glsl", "no such words"}),
+                      contains_text("core/hit.glsl"));
+    CHECK_THROWS_AS(find_line({"core/hit.glsl", "real"}), MachineError);
 }
 
 TEST_CASE("a walk through a grid of two cells is told cell by cell", "[replay][words]") {
@@ -30,7 +30,7 @@ TEST_CASE("a walk through a grid of two cells is told cell by cell", "[replay][w
     CHECK(sentence_of(grid.cells, across, 1) ==
           "step 2: cell (1,0,0), t 2 to 3, leaves through +x, 2 triangles tested, no hit; the "
           "end, the ray has left the structure: no hit");
-    CHECK(deciding_line(across, 0).file == "geometry/grid_walk.glsl");
+    CHECK(deciding_line(across, 0).file == "structure/grid/grid_walk.glsl");
     CHECK(contains_text("first_axis(leaves)").match(deciding_line(across, 0).text));
     CHECK(contains_text("i >= grid_cells[axis]").match(deciding_line(across, 1).text));
 }
@@ -55,8 +55,8 @@ TEST_CASE("a walk through a BVH says what it meets and leaves out", "[replay][wo
     CHECK(sentence_of(tree.cells, walk, 2) ==
           "step 3: leaf 2, box begins at t 2, behind the hit at t 1, left out; the end, nothing "
           "is left to visit: triangle 0 at t 1");
-    CHECK(deciding_line(walk, 0).file == "geometry/bvh_skip_walk.glsl");
-    CHECK(deciding_line(walk, 1).file == "geometry/bvh_leaf.glsl");
+    CHECK(deciding_line(walk, 0).file == "structure/bvh/bvh_skip_walk.glsl");
+    CHECK(deciding_line(walk, 1).file == "structure/bvh/bvh_leaf.glsl");
     CHECK(contains_text("meets_bvh_node").match(deciding_line(walk, 2).text));
     const RecordedWalk any = tree.recorder.record(along_z, Question::any);
     REQUIRE(any.steps.size() == 2);
@@ -82,7 +82,7 @@ TEST_CASE("a kd-tree tells on which side of a plane the ray is", "[replay][words
     REQUIRE(walk.steps.size() >= 2);
     REQUIRE(walk.steps.front().outcome == Outcome::entered);
     CHECK(contains_text("the plane across z comes at t").match(sentence_of(tree.cells, walk, 0)));
-    CHECK(deciding_line(walk, 0).file == "geometry/kd_descent.glsl");
+    CHECK(deciding_line(walk, 0).file == "structure/kd_tree/kd_descent.glsl");
     CHECK(contains_text("no nearer hit can come: triangle 0 at t 1")
               .match(sentence_of(tree.cells, walk, walk.steps.size() - 1)));
 }

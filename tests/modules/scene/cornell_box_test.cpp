@@ -1,4 +1,4 @@
-#include "scene/sample_cornell_box.h"
+#include "scene/samples/samples.h"
 
 #include "catch.h"
 #include "scene/frame_scene.h"

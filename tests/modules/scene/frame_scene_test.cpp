@@ -1,9 +1,9 @@
 #include "scene/frame_scene.h"
 
 #include "catch.h"
-#include "error/error.h"
+#include "basics/error.h"
 #include "scene/shapes.h"
-#include "scene/view_frame.h"
+#include "scene/view.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -1,10 +1,9 @@
 #include "catch.h"
 #include "scene/frame_scene.h"
-#include "scene/glowing_lights.h"
 #include "scene/load_scene.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_values.h"
 #include "support/scratch_folder.h"
 
 using namespace raysteps;

@@ -1,4 +1,4 @@
-#include "scene/height_field.h"
+#include "scene/samples/surfaces.h"
 
 #include "catch.h"
 

@@ -1,8 +1,7 @@
-#include "scene/random_numbers.h"
+#include "basics/random_numbers.h"
 
 #include "catch.h"
-#include "scene/sample_needles.h"
-#include "scene/sample_soup.h"
+#include "scene/samples/samples.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,4 @@
-#include "scene/sample_scenes.h"
+#include "scene/samples/sample_scenes.h"
 
 #include "catch.h"
 #include "open_edges.h"

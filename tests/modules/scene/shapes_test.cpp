@@ -2,8 +2,7 @@
 
 #include "catch.h"
 #include "open_edges.h"
-#include "scene/torus_knot.h"
-#include "scene/tube.h"
+#include "scene/samples/surfaces.h"
 
 #include <cmath>
 #include <numbers>

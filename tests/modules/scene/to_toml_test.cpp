@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "scene/load_scene.h"
-#include "scene/toml_scene.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_scene.h"
+#include "scene/toml/toml_values.h"
 
 #include <rapidcheck.h>
 

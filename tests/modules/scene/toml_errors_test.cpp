@@ -1,7 +1,7 @@
 #include "catch.h"
-#include "error/error.h"
+#include "basics/error.h"
 #include "scene/load_scene.h"
-#include "scene/toml_scene.h"
+#include "scene/toml/toml_scene.h"
 
 #include <filesystem>
 #include <fstream>

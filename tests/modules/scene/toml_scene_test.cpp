@@ -1,4 +1,4 @@
-#include "scene/toml_scene.h"
+#include "scene/toml/toml_scene.h"
 
 #include "catch.h"
 #include "open_edges.h"

@@ -1,7 +1,7 @@
 #include "visualizer/request.h"
 
 #include "catch.h"
-#include "error/error.h"
+#include "basics/error.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
 #include "visualizer/state_file.h"

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "error/error.h"
+#include "basics/error.h"
 #include "shown.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/framing.h"

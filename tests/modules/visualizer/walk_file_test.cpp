@@ -1,8 +1,8 @@
 #include "visualizer/walk_file.h"
 
 #include "catch.h"
-#include "error/error.h"
-#include "replay/sentence.h"
+#include "basics/error.h"
+#include "visualizer/replay/sentence.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
 

@@ -1,9 +1,8 @@
-#include "window/camera_text.h"
+#include "scene/camera_text.h"
 
 #include "cameras.h"
 #include "catch.h"
-#include "parse/parse_camera.h"
-#include "window/trackball.h"
+#include "program/window/trackball.h"
 
 #include <algorithm>
 

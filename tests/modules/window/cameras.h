@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/camera.h"
+#include "scene/scene.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

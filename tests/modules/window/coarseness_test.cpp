@@ -1,4 +1,4 @@
-#include "window/coarseness.h"
+#include "program/window/coarseness.h"
 
 #include "catch.h"
 

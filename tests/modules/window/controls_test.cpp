@@ -1,4 +1,4 @@
-#include "window/controls.h"
+#include "program/window/controls.h"
 
 #include "catch.h"
 

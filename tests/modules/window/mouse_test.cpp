@@ -1,4 +1,4 @@
-#include "window/mouse.h"
+#include "program/window/mouse.h"
 
 #include "cameras.h"
 #include "catch.h"

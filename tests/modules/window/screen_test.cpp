@@ -1,11 +1,11 @@
-#include "window/screen.h"
+#include "program/window/screen.h"
 
 #include "catch.h"
 #include "gpu/context.h"
 #include "gpu/draw.h"
-#include "image/color_space.h"
-#include "image/count_nan_pixels.h"
-#include "window/help_picture.h"
+#include "image/color.h"
+#include "image/image.h"
+#include "program/window/help_picture.h"
 
 #include <glm/geometric.hpp>
 #include <rapidcheck.h>
@@ -23,7 +23,7 @@ constexpr float half_step = 0.5f / 255.0f;
 std::vector<glm::vec4> shown(const Image& image, int width, int height) {
     const Texture picture = screen_texture(image);
     const Texture target(TexelFormat::rgba32f, width, height);
-    Program program("pass/show_image.frag");
+    Program program("pass/show/show_image.frag");
     program.set("picture", picture)
         .set("corner", glm::vec2(0.0f))
         .set("size", glm::vec2(width, height));

@@ -1,4 +1,4 @@
-#include "window/trackball.h"
+#include "program/window/trackball.h"
 
 #include "cameras.h"
 #include "catch.h"

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "gpu/program.h"
-#include "gpu/shader_catalog.h"
+#include "gpu/shaders.h"
 #include "support/scratch_folder.h"
 
 #include <cstdlib>
@@ -41,12 +41,12 @@ TEST_CASE("glslang names the line of a part that is wrong", "[architecture][shad
     require_glslang();
     const ScratchFolder folder("architecture_glslang_fault");
     const ShaderText shader =
-        read_shader("pass/trace.frag", {{"real", "layout/real_float.glsl"},
-                                        {"triangle", "geometry/exhibit_paper_as_printed.glsl"},
+        read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
+                                        {"triangle", "exhibit/paper_as_printed.glsl"},
                                         {"structure", "structure/every_triangle.glsl"},
                                         {"observer", "observer/none.glsl"}});
     CHECK_THAT(complaints(folder, shader, "frag"),
-               contains_text("geometry/exhibit_paper_as_printed.glsl:30: 'a' : redefinition"));
+               contains_text("exhibit/paper_as_printed.glsl:30: 'a' : redefinition"));
 }
 
 TEST_CASE("every program that can be composed passes glslang", "[architecture][shaders]") {
@@ -57,7 +57,7 @@ TEST_CASE("every program that can be composed passes glslang", "[architecture][s
     std::set<std::string> seen;
     for (const ProgramRecipe& recipe : programs) {
         Parts parts = recipe.parts;
-        parts.try_emplace("real", "layout/real_float.glsl");
+        parts.try_emplace("real", "real/float.glsl");
         for (const std::string& pass : {recipe.pass, vertex_pass_of(recipe.pass)}) {
             const ShaderText shader = read_shader(pass, parts);
             if (!seen.insert(shader.text).second) {

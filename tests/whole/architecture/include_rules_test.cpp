@@ -10,11 +10,11 @@
 TEST_CASE("an include of a module that USES does not name is found", "[architecture]") {
     const SmallTree tree("undeclared_use");
     tree.write("common/scene/CMakeLists.txt", "add_module(scene USES geometry)\n");
-    tree.write("common/geometry/box.h", "#pragma once\n");
+    tree.write("common/basics/box.h", "#pragma once\n");
     tree.write("common/gpu/draw.h", "#pragma once\n");
     tree.write(
         "common/scene/scene.cpp",
-        "#include \"geometry/box.h\"\n// #include \"gpu/draw.h\"\n#include \"gpu/draw.h\"\n");
+        "#include \"basics/box.h\"\n// #include \"gpu/draw.h\"\n#include \"gpu/draw.h\"\n");
     CHECK(join_lines(find_undeclared_uses(tree.root())) ==
           "common/scene/scene.cpp:3: scene includes gpu, but its add_module does not name it in "
           "USES.\n");
@@ -24,9 +24,9 @@ TEST_CASE("a use that no file includes is found", "[architecture]") {
     const SmallTree tree("dead_use");
     tree.write("common/scene/CMakeLists.txt",
                "# USES gpu\nadd_module(scene\n  USES geometry gpu\n  PACKAGES glm::glm)\n");
-    tree.write("common/geometry/box.h", "#pragma once\n");
+    tree.write("common/basics/box.h", "#pragma once\n");
     tree.write("common/gpu/draw.h", "#pragma once\n");
-    tree.write("common/scene/scene.cpp", "#include \"geometry/box.h\"\n");
+    tree.write("common/scene/scene.cpp", "#include \"basics/box.h\"\n");
     CHECK(join_lines(find_dead_uses(tree.root())) ==
           "common/scene/CMakeLists.txt: USES names gpu, which no file of scene includes.\n");
 }
@@ -34,10 +34,10 @@ TEST_CASE("a use that no file includes is found", "[architecture]") {
 TEST_CASE("an include against the arrow is found", "[architecture]") {
     const SmallTree tree("arrow");
     tree.write("tests/catch.h", "#include <string>\n");
-    tree.write("shaders/layout/ray.glsl", "struct Ray {};\n");
+    tree.write("shaders/core/ray.glsl", "struct Ray {};\n");
     tree.write("common/scene/scene.h",
-               "#include \"catch.h\"\n#include \"layout/ray.glsl\"\n#include \"vector\"\n");
-    tree.write("common/mirror/mirror.h", "#include \"layout/ray.glsl\"\n");
+               "#include \"catch.h\"\n#include \"core/ray.glsl\"\n#include \"vector\"\n");
+    tree.write("common/mirror/mirror.h", "#include \"core/ray.glsl\"\n");
     tree.write("chapters/01_rays/rays.h", "#include \"scene/scene.h\"\n");
     tree.write("chapters/02_triangles/main.cpp", "#include \"01_rays/rays.h\"\n");
     CHECK(join_lines(find_includes_against_the_arrow(tree.root())) ==
@@ -45,7 +45,7 @@ TEST_CASE("an include against the arrow is found", "[architecture]") {
           "nothing of another.\n"
           "common/scene/scene.h:1: includes tests/catch.h: nothing includes tests/ but tests/ "
           "itself.\n"
-          "common/scene/scene.h:2: includes shaders/layout/ray.glsl: shaders are C++ only in "
+          "common/scene/scene.h:2: includes shaders/core/ray.glsl: shaders are C++ only in "
           "common/geometry and common/mirror.\n"
           "common/scene/scene.h:3: \"vector\" is no file of ours. Name packages as <...>.\n");
 }

@@ -11,5 +11,5 @@
 std::vector<std::string> find_faults_of_manifests(const std::filesystem::path& root);
 
 // A chapter adds files and never edits those of an earlier one. So a file names only files that are
-// born with it or before, be it in an #include or as the shader "pass/trace.frag".
+// born with it or before, be it in an #include or as the shader "pass/trace/trace.frag".
 std::vector<std::string> find_names_of_the_unborn(const std::filesystem::path& root);

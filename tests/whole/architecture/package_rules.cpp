@@ -19,7 +19,7 @@ const std::vector<PackageRule> package_rules{
     {"GL/", {"common/gpu/context/osmesa.cpp"}},
     {"EGL/", {"common/gpu/context/egl.cpp", "visualizer/vtk/"}},
     {"GLFW/", {"common/gpu/context/window.cpp", "common/window/glfw/"}},
-    {"tiny_obj_loader.h", {"common/scene/load_obj.cpp"}},
+    {"tiny_obj_loader.h", {"common/scene/obj/load_obj.cpp"}},
     {"toml++/", {"common/scene/toml_"}},
     {"stb_", {"common/image/"}},
     {"CLI/", {"common/command/", "visualizer/request.cpp"}},

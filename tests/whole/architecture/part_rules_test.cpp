@@ -6,7 +6,7 @@
 
 TEST_CASE("what breaks the contract of parts is found", "[architecture]") {
     const SmallTree tree("parts");
-    tree.write("shaders/layout/ray.glsl", "#include \"layout/hit.glsl\"\n// gl_FragCoord.xy\n");
+    tree.write("shaders/core/ray.glsl", "#include \"core/hit.glsl\"\n// gl_FragCoord.xy\n");
     tree.write("shaders/geometry/a.glsl",
                "layout (location = 0) vec4 a;\nfloat b = gl_FragCoord.x;\n"
                "void c(inout float d);\ninline float e();\n"
@@ -20,7 +20,7 @@ TEST_CASE("what breaks the contract of parts is found", "[architecture]") {
           "shaders/geometry/a.glsl:5: #version is for passes.\n"
           "shaders/geometry/a.glsl:6: a swizzle is no C++. Write vec3(v), or name the components "
           "one by one.\n"
-          "shaders/layout/ray.glsl:1: a layout includes nothing.\n");
+          "shaders/core/ray.glsl:1: a layout includes nothing.\n");
 }
 
 TEST_CASE("a pass without its version is found", "[architecture]") {

@@ -1,6 +1,6 @@
-#include "command/parse_options.h"
-#include "parse/parse_camera.h"
-#include "parse/parse_size.h"
+#include "program/parse_options.h"
+#include "scene/camera_text.h"
+#include "basics/text.h"
 
 #include "catch.h"
 #include "support/error_of.h"

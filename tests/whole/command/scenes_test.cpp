@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "image/write_pfm.h"
+#include "image/image_file.h"
 #include "programs.h"
 #include "ray_bytes.h"
 #include "scene/load_scene.h"

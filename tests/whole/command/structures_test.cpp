@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "image/read_picture.h"
+#include "image/image_file.h"
 #include "programs.h"
 #include "ray_bytes.h"
 

@@ -1,6 +1,6 @@
 // Ends with 0 if the context of the given kind is an OpenGL 4.1 core context or a later one.
-#include "command/parse_options.h"
-#include "error/error.h"
+#include "program/parse_options.h"
+#include "basics/error.h"
 #include "gpu/context.h"
 #include "gpu/gl.h"
 

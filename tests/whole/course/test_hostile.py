@@ -11,8 +11,8 @@ from support import CourseTest
 
 from course import check, engine, exercises, grade, sandbox, submission
 
-CROSS = "shaders/geometry/vector.glsl"
-MEDIAN = "common/structure/split_median.cpp"
+CROSS = "shaders/core/vector.glsl"
+MEDIAN = "common/structure/bvh/split_median.cpp"
 ENDLESS_SHADER = """    real x = a.x;
     for (int i = 0; i >= 0; i = i) {
         for (int j = 0; j >= 0; j = j) {

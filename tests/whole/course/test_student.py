@@ -29,7 +29,7 @@ class Student(CourseTest):
         self.assertIn("2.1  not started", self.course("list", "02"))
 
     def test_a_missing_file_is_named(self):
-        (self.workbook / "shaders/geometry/vector.glsl").unlink()
+        (self.workbook / "shaders/core/vector.glsl").unlink()
         self.assertEqual(self.result("2.1", 0)["state"], "missing")
 
     def test_a_solution_passes_and_list_knows_as_long_as_it_stays(self):
@@ -88,7 +88,7 @@ class Student(CourseTest):
         result = self.result("4.2", 1)
         self.assertEqual(result["state"], "does not compile")
         line = path.read_text().split("\n").index("    low = lost;") + 1
-        self.assertIn(f"shaders/geometry/grid_crossing.glsl:{line}: error: `lost'",
+        self.assertIn(f"shaders/structure/grid/grid_cells.glsl:{line}: error: `lost'",
                       result["message"])
         self.assertNotIn("checkpoint.frag", result["message"])  # it is not the student's
 

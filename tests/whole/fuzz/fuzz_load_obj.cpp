@@ -1,9 +1,9 @@
 // Whatever the bytes are, as an OBJ file and as an MTL file they end in a sound scene or in an
 // InputError. Anything else stops the program, and libFuzzer keeps the bytes.
-#include "load_obj/first_fault.h"
+#include "modules/load_obj/first_fault.h"
 
-#include "error/error.h"
-#include "scene/load_obj.h"
+#include "basics/error.h"
+#include "scene/obj/load_obj.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "window/show_in_window.h"
+#include "program/window/show_in_window.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 namespace raysteps {
 

@@ -1,4 +1,4 @@
-#include "window/glfw/event_connection.h"
+#include "program/window/glfw/event_connection.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "window/controls.h"
+#include "program/window/controls.h"
 
 struct GLFWwindow;
 

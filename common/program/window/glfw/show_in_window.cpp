@@ -1,6 +1,6 @@
-#include "window/show_in_window.h"
+#include "program/window/show_in_window.h"
 
-#include "window/glfw/viewer.h"
+#include "program/window/glfw/viewer.h"
 
 namespace raysteps {
 

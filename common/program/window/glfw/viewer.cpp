@@ -1,10 +1,10 @@
-#include "window/glfw/viewer.h"
+#include "program/window/glfw/viewer.h"
 
-#include "error/error.h"
-#include "image/write_png.h"
-#include "window/camera_text.h"
-#include "window/help_picture.h"
-#include "window/screenshot_path.h"
+#include "basics/error.h"
+#include "image/image_file.h"
+#include "scene/camera_text.h"
+#include "program/window/help_picture.h"
+#include "program/window/screenshot_path.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "window/coarseness.h"
-#include "window/controls.h"
-#include "window/frame.h"
-#include "window/glfw/event_connection.h"
-#include "window/screen.h"
+#include "program/window/coarseness.h"
+#include "program/window/controls.h"
+#include "program/window/frame.h"
+#include "program/window/glfw/event_connection.h"
+#include "program/window/screen.h"
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "embree/embree_builder.h"
+#include "reference/embree/embree.h"
 
-#include "error/error.h"
+#include "basics/error.h"
 
 namespace raysteps {
 

@@ -1,7 +1,7 @@
-#include "embree/embree_scene.h"
+#include "reference/embree/embree.h"
 
-#include "embree/there/embree_calls.h"
-#include "error/error.h"
+#include "reference/embree/there/embree_calls.h"
+#include "basics/error.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,27 +1,23 @@
 #version 410 core
 // One checkpoint of an exercise, for one ray a pixel: what it finds is four numbers, as bits.
 #include <real>
-#include "layout/far.glsl"
-#include "layout/ray.glsl"
-#include "layout/hit.glsl"
-#include "layout/walk.glsl"
-#include "layout/view.glsl"
-#include "layout/ray_texels.glsl"
-#include "layout/triangles.glsl"
-#include "layout/surfaces.glsl"
-#include "geometry/vector.glsl"
-#include "geometry/ray.glsl"
-#include "geometry/hit.glsl"
-#include "geometry/camera.glsl"
-#include "geometry/leave_surface.glsl"
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/walk.glsl"
+#include "core/view.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include "core/vector.glsl"
+#include "light/leave_surface.glsl"
 #include <triangle>
 #include <observer>
 #include <structure>
-#include "geometry/queries.glsl"
-#include "shading/surface.glsl"
-#include "shading/lambert.glsl"
-#include "shading/shadow.glsl"
-#include "shading/mirror.glsl"
+#include "core/queries.glsl"
+#include "light/surface.glsl"
+#include "light/lambert.glsl"
+#include "light/shadow.glsl"
+#include "light/mirror.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "error/error.h"
-#include "window/show_in_window.h"
+#include "basics/error.h"
+#include "program/window/show_in_window.h"
 
 using namespace raysteps;
 

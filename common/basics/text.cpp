@@ -1,0 +1,97 @@
+#include "basics/text.h"
+
+#include "basics/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+
+namespace raysteps {
+
+std::vector<std::string> split_words(const std::string& text, char separator) {
+    std::vector<std::string> words(1);
+    for (const char letter : text) {
+        if (letter == separator) {
+            words.emplace_back();
+        } else {
+            words.back() += letter;
+        }
+    }
+    return words;
+}
+
+std::optional<std::vector<float>> parse_numbers(const std::string& text) {
+    std::vector<float> numbers;
+    for (const std::string& word : split_words(text, ',')) {
+        const auto number = parse_number<float>(word);
+        if (!number || !std::isfinite(*number)) {
+            return std::nullopt;
+        }
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+namespace {
+
+constexpr int largest_side = 16384;
+
+} // namespace
+
+PictureSize parse_size(const std::string& text) {
+    const std::vector<std::string> words = split_words(text, 'x');
+    const auto width = parse_number<int>(words.front());
+    const auto height = parse_number<int>(words.back());
+    const auto fits = [](int side) { return side >= 1 && side <= largest_side; };
+    if (words.size() > 2 || !width || !height || !fits(*width) || !fits(*height)) {
+        throw InputError("--size " + text +
+                         ": a size is WIDTHxHEIGHT, as in 640x480, each from 1 to " +
+                         std::to_string(largest_side) + ".");
+    }
+    return {*width, *height};
+}
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1); // distances of a's beginning to b's beginnings
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+std::string_view nearest_word(std::string_view text, const std::vector<std::string_view>& words) {
+    std::string_view nearest;
+    std::size_t smallest = text.size() + 1;
+    for (const std::string_view word : words) {
+        const std::size_t distance = edit_distance(text, word);
+        if (distance < smallest && 3 * distance < word.size() + 2) {
+            smallest = distance;
+            nearest = word;
+        }
+    }
+    return nearest;
+}
+
+void check_is_text(std::string_view text, const std::filesystem::path& path) {
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos)
+        return;
+    const auto lines_before = std::count(text.begin(), text.begin() + zero, '\n');
+    throw InputError(path.string() + ":" + std::to_string(lines_before + 1) +
+                     ": holds a zero byte, so it is no plain text. Save it as UTF-8 text.");
+}
+
+} // namespace raysteps

@@ -1,0 +1,237 @@
+#include "gpu/shaders.h"
+
+#include "basics/error.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+namespace raysteps {
+
+std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
+    const char* named = std::getenv("RAYSTEPS_SHADERS"); // NOLINT(concurrency-mt-unsafe)
+    std::istringstream folders(named == nullptr ? "" : named);
+    std::string first;
+    while (std::getline(folders, first, ':')) {
+        const std::filesystem::path path = std::filesystem::path(first) / file;
+        if (!first.empty() && std::filesystem::is_regular_file(path)) {
+            return path;
+        }
+    }
+    return folder / file;
+}
+
+namespace {
+
+// Deeper nesting is a circle of includes.
+constexpr int deepest_include = 16;
+
+// Where an include stands: what a person has to look at when it fails.
+struct Place {
+    std::string file;
+    int line = 0;
+};
+
+std::string to_string(const Place& place) {
+    return place.line == 0 ? place.file : place.file + ":" + std::to_string(place.line);
+}
+
+class Reader {
+public:
+    Reader(const Parts& parts, const std::filesystem::path& folder)
+        : parts_(parts), folder_(folder) {}
+
+    void read(const std::string& file, const Place& from, int depth) {
+        if (depth > deepest_include) {
+            throw MachineError(to_string(from) + ": `" + file +
+                               "` is included in a circle. Remove one of the includes.");
+        }
+        const std::filesystem::path path = find_shader(file, folder_);
+        std::ifstream stream(path);
+        if (!stream || std::filesystem::is_directory(path)) {
+            throw MachineError(to_string(from) + ": the shader file `" + file +
+                               "` cannot be read in " + folder_.string() +
+                               ". Check its name, or get it back from the repository.");
+        }
+        const std::size_t number = shader_.files.size();
+        shader_.files.push_back(file);
+        if (depth > 0) {
+            say_line(1, number);
+        }
+        std::string line;
+        for (int count = 1; std::getline(stream, line); ++count) {
+            read_line(line, {file, count}, number, depth);
+        }
+    }
+
+    ShaderText take() { return std::move(shader_); }
+
+private:
+    void read_line(const std::string& line, const Place& place, std::size_t number, int depth) {
+        static const std::regex include(R"(^\s*#\s*include\s*(?:"([^"]+)\"|<([^>]+)>).*$)");
+        std::smatch match;
+        if (!std::regex_match(line, match, include)) {
+            shader_.text += line + "\n";
+            return;
+        }
+        read(match[1].matched ? match[1].str() : part_for(match[2].str(), place), place, depth + 1);
+        say_line(place.line + 1, number);
+    }
+
+    const std::string& part_for(const std::string& slot, const Place& place) const {
+        const auto part = parts_.find(slot);
+        if (part == parts_.end()) {
+            throw MachineError(to_string(place) + ": nothing fills the slot <" + slot +
+                               ">. Name a part for it where the program is made.");
+        }
+        return part->second;
+    }
+
+    void say_line(int line, std::size_t number) {
+        const std::size_t global = number * lines_per_file + static_cast<std::size_t>(line);
+        shader_.text += "#line " + std::to_string(global) + "\n";
+    }
+
+    const Parts& parts_;
+    std::filesystem::path folder_;
+    ShaderText shader_;
+};
+
+} // namespace
+
+std::filesystem::path shader_folder() {
+    return RAYSTEPS_SHADER_DIR;
+}
+
+ShaderText read_shader(const std::string& pass, const Parts& parts,
+                       const std::filesystem::path& folder) {
+    Reader reader(parts, folder);
+    reader.read(pass, {pass, 0}, 0);
+    return reader.take();
+}
+
+std::string name_files(const std::string& messages, const std::vector<std::string>& files) {
+    // Mesa: "0:12(5): error", NVIDIA: "0(12) : error", AMD, Apple and glslang: "ERROR: 0:12: ".
+    static const std::regex notation(
+        R"(^(?:(?:ERROR|WARNING): )?\d+(?::(\d{1,9})(?:\(\d+\))?|\((\d{1,9})\))\s*:\s*)");
+    std::istringstream lines(messages);
+    std::string named;
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, notation)) {
+            const auto global = std::stoul(match[1].matched ? match[1] : match[2]);
+            const std::size_t file = global / lines_per_file;
+            if (file < files.size()) {
+                line = files[file] + ":" + std::to_string(global % lines_per_file) + ": " +
+                       match.suffix().str();
+            }
+        }
+        named += line + "\n";
+    }
+    return named;
+}
+
+namespace {
+
+std::vector<std::filesystem::path> list_files(const std::string& extension) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(shader_folder(), error)) {
+        if (entry.path().extension() == extension) {
+            files.push_back(std::filesystem::relative(entry.path(), shader_folder()));
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// What a part defines that fills a slot whose folder also holds what several parts share.
+const std::map<std::string, std::string> role_of_slot{{"structure", "go_on"},
+                                                      {"triangle", "intersect_triangle"},
+                                                      {"offset", "leaving_point"},
+                                                      {"slab", "meets_slabs"}};
+
+bool fills(const std::filesystem::path& file, const std::string& slot) {
+    const auto role = role_of_slot.find(slot);
+    if (role == role_of_slot.end()) {
+        return true;
+    }
+    const std::regex definition(R"(^\w+ )" + role->second + R"(\(.*)");
+    std::ifstream stream(find_shader(file.generic_string(), shader_folder()));
+    for (std::string line; std::getline(stream, line);) {
+        if (std::regex_match(line, definition)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<std::string> slots_of(const std::string& pass) {
+    static const std::regex include(R"(^\s*#\s*include\s*<([^>]+)>.*$)");
+    std::ifstream stream(find_shader(pass, shader_folder()));
+    std::vector<std::string> slots;
+    std::string line;
+    while (std::getline(stream, line)) {
+        std::smatch match;
+        if (std::regex_match(line, match, include)) {
+            slots.push_back(match[1]);
+        }
+    }
+    return slots;
+}
+
+} // namespace
+
+std::vector<NamedPart> list_parts(const std::string& slot) {
+    std::vector<NamedPart> parts;
+    for (const std::filesystem::path& file : list_files(".glsl")) {
+        if (*file.begin() == slot && fills(file, slot)) {
+            parts.push_back({file.stem().string(), file.generic_string()});
+        }
+    }
+    std::sort(parts.begin(), parts.end(),
+              [](const NamedPart& a, const NamedPart& b) { return a.name < b.name; });
+    return parts;
+}
+
+std::string find_part(const std::string& slot, const std::string& name) {
+    std::string names;
+    for (const NamedPart& part : list_parts(slot)) {
+        if (part.name == name) {
+            return part.file;
+        }
+        names += (names.empty() ? "" : ", ") + part.name;
+    }
+    if (names.empty()) {
+        throw MachineError(shader_folder().string() + ": holds no part for the slot <" + slot +
+                           ">. Get the shaders back, or build again where the project is now.");
+    }
+    throw InputError("--" + slot + " " + name + ": there is no such part. Take one of " + names +
+                     ".");
+}
+
+std::vector<ProgramRecipe> list_programs() {
+    std::vector<ProgramRecipe> programs;
+    for (const std::filesystem::path& file : list_files(".frag")) {
+        std::vector<ProgramRecipe> choices{{file.generic_string(), {}}};
+        for (const std::string& slot : slots_of(file.generic_string())) {
+            std::vector<ProgramRecipe> extended;
+            for (const ProgramRecipe& choice : choices) {
+                for (const NamedPart& part : list_parts(slot)) {
+                    extended.push_back(choice);
+                    extended.back().parts[slot] = part.file;
+                }
+            }
+            choices = std::move(extended);
+        }
+        programs.insert(programs.end(), choices.begin(), choices.end());
+    }
+    return programs;
+}
+
+} // namespace raysteps

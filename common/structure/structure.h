@@ -1,0 +1,141 @@
+#pragma once
+
+#include "basics/error.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raysteps {
+
+// A structure as the kernels read it: each array and each number under the name of its uniform.
+struct PackedStructure {
+    std::map<std::string, std::vector<glm::vec4>> vectors;          // samplerBuffer
+    std::map<std::string, std::vector<glm::ivec4>> integer_vectors; // isamplerBuffer, four a texel
+    std::map<std::string, std::vector<std::int32_t>> integers;      // isamplerBuffer, one a texel
+    std::map<std::string, glm::vec3> points;
+    std::map<std::string, glm::ivec3> counts;
+    std::map<std::string, int> numbers;
+};
+
+// A choice that a builder leaves to its user: --NAME on the command line.
+struct BuildOption {
+    std::string name;
+    std::string initial;
+    std::string meaning;
+};
+
+// What a builder is asked for beside the triangles.
+struct BuildRequest {
+    float reach = 0.0f; // the rays' origins lie at most so far from any corner, along each axis
+    std::map<std::string, std::string>
+        values{}; // of BuildOptions, by name; the initial where absent
+    // Called with what the builder is about to take, in words, before it is taken.
+    std::function<void(const std::string&)> say = [](const std::string&) {};
+};
+
+// A measured property of a structure that was built: ("cells", 4096).
+struct Fact {
+    std::string name;
+    double value;
+};
+
+struct BuiltStructure {
+    PackedStructure packed;
+    std::vector<Fact> facts; // in the order in which they are to be read
+    int longest_walk = 0;    // in rounds, where it is known beforehand; else 0
+};
+
+// A structure that one builder makes for several walks. The family `kd` serves the parts
+// structure/kd_*.glsl (and structure/kd.glsl). Throws InputError where a value of the request makes
+// no sense, or where the memory would be too much.
+struct StructureFamily {
+    std::string name;
+    std::vector<BuildOption> options;
+    std::function<BuiltStructure(std::span<const glm::vec3> corners, const BuildRequest& request)>
+        build; // three corners a triangle
+};
+
+// All families there are: each file family_NAME.cpp of this folder defines one, and CMake writes
+// the list. So a chapter adds a structure by adding files.
+std::vector<StructureFamily> list_families();
+
+// The family that serves the structure of that name. Throws InputError where none does.
+StructureFamily family_of(const std::string& structure);
+
+// The options of all builders by name. Several may ask for one of the same name; its meaning then
+// has each builder's own values.
+std::map<std::string, BuildOption> all_build_options();
+
+// Throws InputError where a value was given that no builder of these structures has an option for:
+// it would be passed over in silence.
+void check_build_values(const std::map<std::string, std::string>& values,
+                        std::span<const std::string> structures);
+
+// The options of a family with the values that a request has for them.
+struct BuildValues {
+    const std::vector<BuildOption>& options;
+    const BuildRequest& request;
+};
+
+// The option of that name. Throws InputError where there is none.
+inline const BuildOption& option_of(const BuildValues& values, const std::string& name) {
+    const auto place = std::find_if(values.options.begin(), values.options.end(),
+                                    [&](const BuildOption& option) { return option.name == name; });
+    if (place == values.options.end()) {
+        throw InputError("--" + name + ": the structure has no such option. See --help.");
+    }
+    return *place;
+}
+
+// As it was given, or the initial value.
+inline std::string text_of(const BuildValues& values, const std::string& name) {
+    const auto given = values.request.values.find(name);
+    return given == values.request.values.end() ? option_of(values, name).initial : given->second;
+}
+
+// The value as a number. Throws InputError where it is none, or out of range.
+template <class Number>
+Number number_of(const BuildValues& values, const std::string& name, Number lowest,
+                 Number highest) {
+    const std::string text = text_of(values, name);
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
+        char range[64];
+        std::snprintf(range, sizeof range, "%.10g to %.10g", static_cast<double>(lowest),
+                      static_cast<double>(highest));
+        throw InputError("--" + name + " " + text + ": " + option_of(values, name).meaning +
+                         ". Give a number from " + range + ".");
+    }
+    return number;
+}
+
+// The value as one of a few words. Throws InputError where it is none of them.
+template <class Choice>
+Choice choice_of(const BuildValues& values, const std::string& name,
+                 const std::vector<std::pair<std::string, Choice>>& choices) {
+    const std::string text = text_of(values, name);
+    std::string words;
+    for (const auto& [word, choice] : choices) {
+        if (word == text) {
+            return choice;
+        }
+        words += (words.empty() ? "" : ", ") + word;
+    }
+    throw InputError("--" + name + " " + text + ": there is no such choice. Take one of " + words +
+                     ".");
+}
+
+} // namespace raysteps

@@ -1,8 +1,0 @@
-// What is asked of every ray.
-
-// A ray without a point, or without a direction: it hits nothing, and no walk has to be made for
-// it. The second kind is what a fetch beyond the edge of a texture gives. Where a GPU works in
-// blocks of pixels, those of a block that lie beyond the picture run too, and the others wait.
-bool is_empty(Ray ray) {
-    return ray.t_max < ray.t_min || ray.direction == real3(real(0.0f));
-}
