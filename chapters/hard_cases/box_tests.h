@@ -6,7 +6,7 @@
 namespace raysteps {
 
 // Whether the box tests of the walks through a BVH visit the box, which nobody has padded: as C++,
-// by the shader parts structure/bvh/box_plain.glsl and box_padded.glsl.
+// by the shader parts structure/bvh/box_ray.glsl and box_padded.glsl.
 bool meets_plain_box(const Ray& ray, const Box& box);
 bool meets_padded_box(const Ray& ray, const Box& box);
 

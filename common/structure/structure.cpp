@@ -14,6 +14,7 @@ namespace raysteps {
 std::vector<StructureFamily> list_families() {
     std::vector<StructureFamily> families;
 #define FAMILY(name) families.push_back(family_##name());
+#include <structure_families.inc>
 #undef FAMILY
     return families;
 }

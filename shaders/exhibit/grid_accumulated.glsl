@@ -1,4 +1,4 @@
-// An exhibit: the walk of structure/grid/grid_walk.glsl with crossings that are added up, step by step,
+// An exhibit: the walk of structure/grid/grid.glsl with crossings that are added up, step by step,
 // as the published algorithm has it. Each sum is rounded, so the crossings drift, and with enough
 // cells the walk leaves the cells that the ray goes through. (A new launch starts the sums anew, so
 // here the drift is of one launch at most.) Not among the structures of --structure, which all give
@@ -6,19 +6,6 @@
 // 1987.
 #include "structure/grid/grid_plane.glsl"
 #include "structure/grid/grid_cells.glsl"
-
-Walk start_walk(Ray ray) {
-    Walk walk;
-    walk.nearest = miss(ray);
-    walk.place = ivec3(0, -1, no_grid_face);
-    GridPart part = part_in_grid(ray);
-    walk.ended = is_empty(ray) || part.end < part.start;
-    if (!walk.ended) {
-        walk.place.x = grid_cell_number(ivec3(
-            cell_at(ray, 0, part.start), cell_at(ray, 1, part.start), cell_at(ray, 2, part.start)));
-    }
-    return walk;
-}
 
 // What one cell adds to the crossings of its axis.
 real crossing_step(Ray ray, int axis) {

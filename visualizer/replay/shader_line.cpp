@@ -14,16 +14,16 @@ const LineMarker loop_nearer{"structure/every_triangle.glsl", "if (is_nearer(hit
 const LineMarker loop_found{"structure/every_triangle.glsl", "found = hit.t <= near_enough;"};
 
 // Grids.
-const LineMarker grid_leaves{"structure/grid/grid_walk.glsl", "int axis = first_axis(leaves);"};
-const LineMarker grid_hit{"structure/grid/grid_walk.glsl", "ended = nearest.t < leaves[axis] ||"};
-const LineMarker grid_outside{"structure/grid/grid_walk.glsl", "ended = ended || i < 0 ||"};
-const LineMarker grid_found{"structure/grid/grid_walk.glsl", "ended = hit.t <= near_enough;"};
+const LineMarker grid_leaves{"structure/grid/grid.glsl", "int axis = first_axis(leaves);"};
+const LineMarker grid_hit{"structure/grid/grid.glsl", "ended = nearest.t < leaves[axis] ||"};
+const LineMarker grid_outside{"structure/grid/grid.glsl", "ended = ended || i < 0 ||"};
+const LineMarker grid_found{"structure/grid/grid.glsl", "ended = hit.t <= near_enough;"};
 
 // kd-trees.
 const LineMarker kd_side{"structure/kd_tree/kd_descent.glsl", "taken.child = t_split <= t ?"};
 const LineMarker kd_along{"structure/kd_tree/kd_descent.glsl", "taken.child = ray.origin[node.axis] <="};
-const LineMarker kd_ended{"structure/kd_tree/kd_leaf.glsl", "visit.walk.ended = nearest.t < leaf.exit ||"};
-const LineMarker kd_found{"structure/kd_tree/kd_leaf.glsl", "found = hit.t <= near_enough;"};
+const LineMarker kd_ended{"structure/kd_tree/kd_descent.glsl", "visit.walk.ended = nearest.t < leaf.exit ||"};
+const LineMarker kd_found{"structure/kd_tree/kd_descent.glsl", "found = hit.t <= near_enough;"};
 const LineMarker kd_climbs{"structure/kd_tree/kd_backtrack.glsl", "while (up.exit <= t &&"};
 const LineMarker kd_touches{"structure/kd_tree/kd_ropes.glsl", "bool only_touched = leaf.exit <= t &&"};
 
@@ -51,8 +51,8 @@ BvhText bvh_text(const std::string& structure) {
         return {bvh_met("structure/bvh/bvh_stack.glsl"),
                 {"structure/bvh/bvh_stack.glsl", "node = children.near;"}};
     }
-    return {bvh_met("structure/bvh/bvh_skip_walk.glsl"),
-            {"structure/bvh/bvh_skip_walk.glsl", "node = met && !is_bvh_leaf(here) ?"}};
+    return {bvh_met("structure/bvh/bvh_skip.glsl"),
+            {"structure/bvh/bvh_skip.glsl", "node = met && !is_bvh_leaf(here) ?"}};
 }
 
 LineMarker grid_marker(const RecordedWalk& walk, bool is_last) {

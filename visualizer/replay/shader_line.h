@@ -8,7 +8,7 @@
 
 namespace raysteps {
 
-// A line of a shader: structure/grid/grid_walk.glsl:66.
+// A line of a shader: structure/grid/grid.glsl:66.
 struct ShaderLine {
     std::string file;
     int number = 0;   // from 1

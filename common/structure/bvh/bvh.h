@@ -102,7 +102,7 @@ PackedStructure pack(const Bvh& bvh, std::span<const glm::vec3> corners);
 // What the arrays of a packed structure take.
 std::size_t bytes_of(const PackedStructure& packed);
 
-// The box that all halves of a tree are shares of (shaders/structure/bvh/half_bvh_nodes.glsl).
+// The box that all halves of a tree are shares of (shaders/structure/bvh/half_bvh.glsl).
 struct HalfFrame {
     glm::vec3 lower{0.0f};
     glm::vec3 size{0.0f};
@@ -116,7 +116,7 @@ float half_plane(const HalfFrame& frame, int axis, int bits);
 int half_below(const HalfFrame& frame, int axis, float value);
 int half_above(const HalfFrame& frame, int axis, float value);
 
-// A packed BVH (structure/bvh/bvh.h) in the form of shaders/structure/bvh/half_bvh_nodes.glsl: boxes in half
+// A packed BVH (structure/bvh/bvh.h) in the form of shaders/structure/bvh/half_bvh.glsl: boxes in half
 // precision, rounded outwards, for one order of the nodes. 16 bytes a node.
 PackedStructure with_half_boxes(const PackedStructure& bvh);
 

@@ -6,12 +6,12 @@
 #include "core/texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
-#include "light/highlight.glsl"
 #include "core/vector.glsl"
 #include "light/leave_surface.glsl"
 #include "light/samples.glsl"
 #include "light/surface.glsl"
 #include "light/lambert.glsl"
+#include "light/highlight.glsl"
 #include <lamp>
 #include <visibility>
 

@@ -4,8 +4,8 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
-#include "light/sky.glsl"
 #include "core/vector.glsl"
+#include "light/sky.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

@@ -6,9 +6,9 @@
 #include "core/texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
-#include "light/texture.glsl"
 #include "core/vector.glsl"
 #include "light/leave_surface.glsl"
+#include "light/texture.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;

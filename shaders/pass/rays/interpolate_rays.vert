@@ -3,6 +3,7 @@
 // them. Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing",
 // 2010, section 2.2.
 #include <real>
+#include "core/ray.glsl"
 #include "core/view.glsl"
 
 uniform View view;

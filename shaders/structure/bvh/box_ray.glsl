@@ -60,8 +60,8 @@ struct BoxSpan {
     real exit;
 };
 
-// The part of the ray up to t_max. The planes are given as the ray comes to them. Of numbers that
-// are none, a comparison drops them.
+// The part of the ray up to t_max. The planes are given as the ray comes to them. NaNs fail
+// every comparison, so they are ignored.
 BoxSpan span_in_box(BoxRay ray, real3 first_planes, real3 last_planes, real t_max) {
     precise real3 enters = (first_planes - ray.first_origin) * ray.inverse;
     precise real3 leaves = (last_planes - ray.last_origin) * ray.inverse;

@@ -1,11 +1,11 @@
 // A bounding volume hierarchy, walked without a stack, near children first: down as long as the ray
 // meets boxes, then up by the parents to the next sibling. One copy of the nodes serves all
 // directions. Source: Hapala and others, 2011 (structure/bvh/bvh_climb.glsl).
-#include "structure/bvh/bvh_nodes.glsl"
 #include "structure/bvh/box_ray.glsl"
 #include "structure/bvh/box_plain.glsl"
-#include "structure/bvh/bvh_choose_planes.glsl"
 #include "structure/bvh/bvh_leaf.glsl"
+#include "structure/bvh/bvh_nodes.glsl"
+#include "structure/bvh/bvh_choose_planes.glsl"
 #include "structure/bvh/bvh_climb.glsl"
 
 Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {

@@ -2,11 +2,11 @@
 // last 16 far children put off, and forgets those before: so it cannot overflow, however deep the
 // tree. When it is empty and something was forgotten, the parents lead to the next node
 // (structure/bvh/bvh_climb.glsl), and so they do where a launch goes on, with an empty stack.
-#include "structure/bvh/bvh_nodes.glsl"
 #include "structure/bvh/box_ray.glsl"
 #include "structure/bvh/box_plain.glsl"
-#include "structure/bvh/bvh_choose_planes.glsl"
 #include "structure/bvh/bvh_leaf.glsl"
+#include "structure/bvh/bvh_nodes.glsl"
+#include "structure/bvh/bvh_choose_planes.glsl"
 #include "structure/bvh/bvh_climb.glsl"
 
 const int bvh_stack_size = 16; // a power of two: places in it go round

@@ -122,3 +122,28 @@ GridPart part_in_grid(Ray ray) {
     }
     return part;
 }
+
+// Where a walk through the grid begins. place.x is the number of the cell, place.y the next
+// reference (-1: the cell is still to be entered), place.z the face through which the ray came.
+Walk start_walk(Ray ray) {
+    Walk walk;
+    walk.nearest = miss(ray);
+    walk.place = ivec3(0, -1, no_grid_face);
+    GridPart part = part_in_grid(ray);
+    walk.ended = is_empty(ray) || part.end < part.start;
+    if (!walk.ended) {
+        walk.place.x = grid_cell_number(ivec3(
+            cell_at(ray, 0, part.start), cell_at(ray, 1, part.start), cell_at(ray, 2, part.start)));
+    }
+    return walk;
+}
+
+// The axis of the least of the three, the first of them where some are equal.
+int first_axis(real3 t) {
+    //# exercise 4.3: the plane that comes first
+    int x_or_z = t.x <= t.z ? 0 : 2;
+    int y_or_z = t.y <= t.z ? 1 : 2;
+    return t.x <= t.y ? x_or_z : y_or_z;
+    //# stub: return 0;
+    //# end
+}

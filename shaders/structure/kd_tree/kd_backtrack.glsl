@@ -1,12 +1,8 @@
 // A kd-tree, walked without a stack: after each leaf, up to the first node whose box the ray has
 // not left yet, and down again from there. Source: Foley and Sugerman, "KD-tree acceleration
 // structures for a GPU raytracer", 2005.
-#include "structure/kd_tree/kd_boxes.glsl"
 #include "structure/kd_tree/kd_nodes.glsl"
-
 #include "structure/kd_tree/kd_descent.glsl"
-#include "structure/kd_tree/kd_exit.glsl"
-#include "structure/kd_tree/kd_leaf.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

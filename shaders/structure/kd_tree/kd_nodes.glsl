@@ -35,3 +35,23 @@ KdNode kd_node(int place) {
 int kd_parent(int place) {
     return texelFetch(kd_nodes, place).w;
 }
+
+// The boxes of a kd-tree's nodes: node i has its lower corner in texel 2i and its upper one in
+// 2i + 1 (the fourth number is unused).
+uniform samplerBuffer kd_boxes;
+
+real3 kd_box_lower(int place) {
+    return real3(texelFetch(kd_boxes, 2 * place));
+}
+
+real3 kd_box_upper(int place) {
+    return real3(texelFetch(kd_boxes, 2 * place + 1));
+}
+
+// The ropes of a kd-tree's leaves, six a leaf: behind its lower face along x, its upper one along
+// x, and so on, the smallest node that holds the whole face; -1 where the tree ends.
+uniform isamplerBuffer kd_ropes;
+
+int kd_rope(int leaf, int face) {
+    return texelFetch(kd_ropes, 6 * leaf + face).x;
+}

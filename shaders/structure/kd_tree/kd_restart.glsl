@@ -1,9 +1,7 @@
 // A kd-tree, walked without a stack: after each leaf, down again from the root. Source: Foley and
 // Sugerman, "KD-tree acceleration structures for a GPU raytracer", 2005.
 #include "structure/kd_tree/kd_nodes.glsl"
-
 #include "structure/kd_tree/kd_descent.glsl"
-#include "structure/kd_tree/kd_leaf.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

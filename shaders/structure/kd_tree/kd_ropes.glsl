@@ -2,13 +2,8 @@
 // which the ray leaves. Source: Popov, Guenther, Seidel and Slusallek, "Stackless KD-tree traversal
 // for high performance GPU ray tracing", 2007, after Havran, Bittner and Zara, "Ray tracing with
 // rope trees", 1998.
-#include "structure/kd_tree/kd_boxes.glsl"
-#include "structure/kd_tree/kd_rope_links.glsl"
 #include "structure/kd_tree/kd_nodes.glsl"
-
 #include "structure/kd_tree/kd_descent.glsl"
-#include "structure/kd_tree/kd_exit.glsl"
-#include "structure/kd_tree/kd_leaf.glsl"
 
 Walk start_walk(Ray ray) {
     return start_kd_walk(ray);

@@ -3,9 +3,7 @@
 // whole rest of the ray (push-down). Source: Horn, Sugerman, Houston and Hanrahan, "Interactive k-D
 // tree GPU raytracing", 2007.
 #include "structure/kd_tree/kd_nodes.glsl"
-
 #include "structure/kd_tree/kd_descent.glsl"
-#include "structure/kd_tree/kd_leaf.glsl"
 
 const int short_stack_size = 8;
 

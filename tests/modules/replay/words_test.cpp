@@ -30,7 +30,7 @@ TEST_CASE("a walk through a grid of two cells is told cell by cell", "[replay][w
     CHECK(sentence_of(grid.cells, across, 1) ==
           "step 2: cell (1,0,0), t 2 to 3, leaves through +x, 2 triangles tested, no hit; the "
           "end, the ray has left the structure: no hit");
-    CHECK(deciding_line(across, 0).file == "structure/grid/grid_walk.glsl");
+    CHECK(deciding_line(across, 0).file == "structure/grid/grid.glsl");
     CHECK(contains_text("first_axis(leaves)").match(deciding_line(across, 0).text));
     CHECK(contains_text("i >= grid_cells[axis]").match(deciding_line(across, 1).text));
 }
@@ -55,7 +55,7 @@ TEST_CASE("a walk through a BVH says what it meets and leaves out", "[replay][wo
     CHECK(sentence_of(tree.cells, walk, 2) ==
           "step 3: leaf 2, box begins at t 2, behind the hit at t 1, left out; the end, nothing "
           "is left to visit: triangle 0 at t 1");
-    CHECK(deciding_line(walk, 0).file == "structure/bvh/bvh_skip_walk.glsl");
+    CHECK(deciding_line(walk, 0).file == "structure/bvh/bvh_skip.glsl");
     CHECK(deciding_line(walk, 1).file == "structure/bvh/bvh_leaf.glsl");
     CHECK(contains_text("meets_bvh_node").match(deciding_line(walk, 2).text));
     const RecordedWalk any = tree.recorder.record(along_z, Question::any);
