@@ -1,6 +1,6 @@
 #include "hard_ray.h"
 
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "visualizer/replay/sentence.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::optional<HardRay> breaks_first_hit(std::span<const Ray> rays, const WalkRec
 std::optional<HardRay> breaks_triangle_test(std::span<const Ray> rays,
                                             const mirror::SceneBuffers& scene,
                                             const WalkRecorder& recorder) {
-    using Mirror = mirror::EveryTriangleMoellerTrumbore<float>;
+    using Mirror = mirror::triangle_tests::moeller_trumbore<float>;
     auto mirror = mirror::mirror_of<Mirror>(scene);
     const std::size_t triangles = std::max<std::size_t>(scene.corners.size() / 3, 1);
     const std::size_t count = std::min(rays.size(), most_tests / triangles);

@@ -58,7 +58,7 @@ std::shared_ptr<const Subject> make_subject(Scene scene, float reach) {
     textures.structure.buffers.emplace("triangle_transforms",
                                        BufferTexture(triangle_transforms(scene.corners)));
     return std::make_shared<const Subject>(
-        Subject{std::move(scene), "structure/" + structure + ".glsl",
+        Subject{std::move(scene), find_part("structure", structure),
                 std::make_shared<const SceneTextures>(std::move(textures))});
 }
 

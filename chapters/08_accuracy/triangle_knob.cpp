@@ -9,28 +9,28 @@ namespace {
 const std::string in_double = "exhibit/double_precision.glsl";
 
 Parts with_test(const std::string& file) {
-    return {{"triangle", "geometry/" + file + ".glsl"}};
+    return {{"triangle", "triangle/" + file + ".glsl"}};
 }
 
 Parts with_test_in_double(const std::string& file) {
-    return {{"triangle", "geometry/" + file + ".glsl"}, {"real", in_double}};
+    return {{"triangle", "triangle/" + file + ".glsl"}, {"real", in_double}};
 }
 
 } // namespace
 
 const std::vector<TriangleMethod>& triangle_methods() {
     static const std::vector<TriangleMethod> all{
-        {"paper, culling", with_test("triangle_paper_culling")},
-        {"paper, 1e-6", with_test("triangle_paper_two_sided")},
-        {"paper, repaired", with_test("triangle_paper_repaired")},
-        {"Moeller-Trumbore", with_test("triangle_moeller_trumbore")},
-        {"Moeller-Trumbore, double", with_test_in_double("triangle_moeller_trumbore")},
-        {"Pluecker", with_test("triangle_pluecker")},
-        {"Baldwin-Weber", with_test("precomputed_triangle")},
-        {"watertight, rounded", with_test("triangle_watertight_rounded")},
-        {"watertight, fallback", with_test("triangle_watertight_fallback")},
-        {"watertight, exact areas", with_test("triangle_watertight")},
-        {"watertight, double", with_test_in_double("triangle_watertight_rounded")}};
+        {"paper, culling", with_test("paper_culling")},
+        {"paper, 1e-6", with_test("paper_two_sided")},
+        {"paper, repaired", with_test("paper_repaired")},
+        {"Moeller-Trumbore", with_test("moeller_trumbore")},
+        {"Moeller-Trumbore, double", with_test_in_double("moeller_trumbore")},
+        {"Pluecker", with_test("pluecker")},
+        {"Baldwin-Weber", Parts{{"triangle", "exhibit/precomputed_triangle.glsl"}}},
+        {"watertight, rounded", with_test("watertight_rounded")},
+        {"watertight, fallback", with_test("watertight_fallback")},
+        {"watertight, exact areas", with_test("watertight")},
+        {"watertight, double", with_test_in_double("watertight_rounded")}};
     return all;
 }
 

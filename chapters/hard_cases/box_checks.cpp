@@ -1,6 +1,6 @@
 #include "basics/error.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/bvh.h"
+#include "mirror/walks.h"
 #include "structure/bvh/build_bvh.h"
 #include "box_tests.h"
 #include "checks.h"

@@ -1,6 +1,6 @@
 #include "box_tests.h"
 
-#include "mirror/bvh.h"
+#include "mirror/walks.h"
 
 namespace raysteps {
 
@@ -18,11 +18,11 @@ bool meets(const Ray& ray, const Box& box) {
 } // namespace
 
 bool meets_plain_box(const Ray& ray, const Box& box) {
-    return meets<mirror::BvhSkip<float>>(ray, box);
+    return meets<mirror::walks::bvh_skip<float>>(ray, box);
 }
 
 bool meets_padded_box(const Ray& ray, const Box& box) {
-    return meets<mirror::BvhSkipPadded<float>>(ray, box);
+    return meets<mirror::walks::bvh_skip_padded<float>>(ray, box);
 }
 
 Box grown_by_roundings(const Box& box) {

@@ -1,5 +1,5 @@
 #include "hard_cases/meshes.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/whitted.h"
 #include "render/whitted_renderer.h"
 #include "scene/shapes.h"
@@ -13,7 +13,7 @@ namespace raysteps {
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 Material white_mirror(float glow) {
     Material material;

@@ -4,7 +4,7 @@
 #include "hard_cases/garbage.h"
 #include "structure/structure.h"
 #include "structure/padding.h"
-#include "mirror_methods.h"
+#include "mirror/trace_by_mirror.h"
 #include "tally.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "hard_cases/aimed_rays.h"
 #include "hard_cases/meshes.h"
-#include "mirror/every_triangle.h"
-#include "mirror/grid.h"
+#include "mirror/walks.h"
 #include "structure/grid/build_grid.h"
 #include "checks.h"
 
@@ -19,16 +18,17 @@ std::vector<TrialRow> length_of_walks(const TrialTools& tools) {
     options.resolution = 32;
     const Grid grid = build_grid(scene.corners, options);
     const mirror::SceneBuffers buffers(scene);
-    auto counted = mirror::mirror_of<mirror::GridCounted<float>>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    auto counted = mirror::mirror_of<mirror::walks::grid<float, mirror::Counter>>(buffers, packed);
     const glm::ivec3 cells = grid.shape.cells;
     const auto limit = static_cast<unsigned>(cells.x + cells.y + cells.z - 2);
     std::size_t tried = 0;
     std::size_t wrong = 0;
     for (const RayFamily& family : lattice_families(numbers, lattice_of(grid.shape), 2000)) {
         for (const Ray& ray : family.rays) {
-            counted.observe_from(mirror::uvec4(0U));
+            counted.observer = {};
             counted.closest_hit(mirror::to_mirror<decltype(counted)>(ray));
-            wrong += counted.observations().x <= limit ? 0 : 1;
+            wrong += counted.observer.visits <= limit ? 0 : 1;
             ++tried;
         }
     }
@@ -51,7 +51,7 @@ std::vector<TrialRow> stop_rule(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
     const Scene scene = add_mesh(Scene{}, random_triangles(numbers, 200), Material{});
     const mirror::SceneBuffers buffers(scene);
-    auto loop = mirror::mirror_of<mirror::EveryTriangleWatertight<float>>(buffers);
+    auto loop = mirror::mirror_of<mirror::walks::every_triangle<float>>(buffers);
     const std::vector<Ray> rays =
         random_rays(numbers, tools.rays > 0 ? std::min(tools.rays, 100000) : 10000);
     std::vector<TrialRow> rows;
@@ -59,7 +59,8 @@ std::vector<TrialRow> stop_rule(const TrialTools& tools) {
         GridOptions options;
         options.resolution = resolution;
         const Grid grid = build_grid(scene.corners, options);
-        auto walker = mirror::mirror_of<mirror::GridWatertight<float>>(buffers, grid);
+        const PackedStructure packed = pack(grid);
+        auto walker = mirror::mirror_of<mirror::walks::grid<float>>(buffers, packed);
         std::size_t wrong = 0;
         std::size_t wrong_at_first = 0;
         for (const Ray& given : rays) {

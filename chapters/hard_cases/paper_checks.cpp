@@ -1,7 +1,7 @@
 #include "basics/error.h"
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "basics/random_numbers.h"
 #include "scene/shapes.h"
@@ -13,7 +13,7 @@ namespace raysteps {
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 std::vector<TrialRow> as_printed(const TrialTools& tools) {
     if (tools.gpu == nullptr) {
@@ -95,7 +95,7 @@ std::vector<TrialRow> numbers_as_floats(const TrialTools&) {
     for (int i = 0; i < static_cast<int>(tried); ++i) {
         const int triangle = (1 << 24) + i;
         lost += static_cast<int>(static_cast<float>(triangle)) == triangle ? 0 : 1;
-        const mirror::EveryTriangleWatertight<float>::Hit hit{1.0f, 0.0f, 0.0f, triangle};
+        const mirror::walks::every_triangle<float>::Hit hit{1.0f, 0.0f, 0.0f, triangle};
         lost_as_integer += mirror::from_mirror(hit).triangle == triangle ? 0 : 1;
     }
     return {promised_row("an integer", "C++", "the triangle's number", lost_as_integer, tried),

@@ -1,5 +1,5 @@
 #include "hard_cases/meshes.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "checks.h"
 
@@ -10,7 +10,7 @@ namespace raysteps {
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 constexpr int usual_rays = 20000;
 

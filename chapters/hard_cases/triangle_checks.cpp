@@ -1,9 +1,9 @@
 #include "hard_cases/hard_cases.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "reference/exact.h"
 #include "checks.h"
 #include "contraction.h"
-#include "mirror_methods.h"
+#include "mirror/trace_by_mirror.h"
 
 #include <algorithm>
 #include <array>

@@ -45,6 +45,9 @@ struct NamedPart {
     std::string file; // triangle/watertight.glsl
 };
 
+// The file of the pass NAME.frag, in whichever folder of shaders/pass it is. Throws MachineError.
+std::string find_pass(const std::string& name);
+
 // A pass with a part in each of its slots.
 struct ProgramRecipe {
     std::string pass;

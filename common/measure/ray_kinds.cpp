@@ -1,7 +1,7 @@
 #include "measure/ray_kinds.h"
 
 #include "measure/cosine_direction.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "basics/random_numbers.h"
 
@@ -11,7 +11,7 @@ namespace raysteps {
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 Ray from_mirror_ray(const Mirror::Ray& ray) {
     return {ray.origin, ray.direction, ray.t_min, ray.t_max};

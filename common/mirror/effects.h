@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirror/glsl_language.h"
+#include "mirror/walks.h"
 
 #include <glm/trigonometric.hpp>
 
@@ -14,6 +14,7 @@ using glm::sin;
 // The parts of chapter 09 as members, over the loop over every triangle.
 template <class Real>
 struct EffectParts {
+    using Observer = NoObserver;
 #define TRIANGLE_PART "triangle/watertight.glsl"
 #define STRUCTURE_PART "structure/every_triangle.glsl"
 #include "mirror/parts.inc"

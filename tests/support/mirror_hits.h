@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 
 #include <vector>

@@ -24,7 +24,7 @@ inline std::map<std::string, Image> pictures_by(const std::vector<std::string>& 
     std::map<std::string, Image> pictures;
     for (const std::string& walk : walks) {
         TraceRays trace({{"triangle", "triangle/watertight.glsl"},
-                         {"structure", "structure/" + walk + ".glsl"}},
+                         {"structure", find_part("structure", walk)}},
                         measure_limits());
         pictures[walk] = show_hits(rays, trace.closest_hits(rays, textures), textures, scene.camera,
                                    scene.background, "view/normals.glsl");

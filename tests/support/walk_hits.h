@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "compare_hits.h"
 
@@ -9,7 +9,7 @@
 
 namespace raysteps {
 
-using EveryTriangle = mirror::EveryTriangleWatertight<float>;
+using EveryTriangle = mirror::walks::every_triangle<float>;
 
 inline constexpr int whole_walk = 1 << 30; // rounds that no walk here needs
 

@@ -1,54 +1,48 @@
-#include "octant_places.h"
 #include "record_with.h"
-#include "recorders.h"
+
+#include <unordered_map>
 
 namespace raysteps {
 
-namespace mirror {
-
-template <class Real>
-struct BvhSkipRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/bvh/bvh_skip.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct BvhSkipPaddedRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/bvh/bvh_skip_padded.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct BvhOrderedRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/bvh/bvh_ordered.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct BvhParentRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/bvh/bvh_parent.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct BvhStackRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/bvh/bvh_stack.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-} // namespace mirror
-
 namespace {
+
+// A node of a BVH lies once in each octant's order (shaders/structure/bvh/bvh_nodes.glsl). This finds its place
+// in octant 0, for places asked in the order in which a walk comes to them: parents first.
+class OctantPlaces {
+public:
+    // Must not outlive the structure.
+    explicit OctantPlaces(const PackedStructure& packed);
+
+    int in_first_octant(int place);
+
+private:
+    const PackedStructure& packed_;
+    int count_;
+    std::unordered_map<int, int> known_;
+};
+
+OctantPlaces::OctantPlaces(const PackedStructure& packed)
+    : packed_(packed), count_(packed.numbers.at("bvh_node_count")) {}
+
+// An inner node makes its children known: the near one lies behind it, the far one is its second.
+int OctantPlaces::in_first_octant(int place) {
+    const int octant = place / count_;
+    if (octant == 0) {
+        return place;
+    }
+    const int here = place == octant * count_ ? 0 : known_.at(place);
+    const std::vector<glm::ivec4>& nodes = packed_.integer_vectors.at("bvh_nodes");
+    const int link = nodes[2 * static_cast<std::size_t>(place) + 1].w;
+    if (link < 0) {
+        const int first_link = nodes[2 * static_cast<std::size_t>(here) + 1].w;
+        const int lower = here + 1;
+        const int upper = (-1 - first_link) >> 2;
+        const bool descends = (octant >> ((-1 - link) & 3) & 1) != 0;
+        known_[place + 1] = descends ? upper : lower;
+        known_[(-1 - link) >> 2] = descends ? lower : upper;
+    }
+    return here;
+}
 
 // A box is entered where the ray meets it, and before the best hit so far.
 template <class Mirror>
@@ -106,31 +100,18 @@ struct ExplainBox {
     OctantPlaces places;
 };
 
-template <class Mirror>
-WalkRecorder bvh_recorder(const RecorderInput& input) {
+template <template <class, class> class Walk>
+WalkRecorder make(const RecorderInput& input) {
+    using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainBox<Mirror>>(input);
 }
 
 } // namespace
 
-WalkRecorder record_bvh_skip(const RecorderInput& input) {
-    return bvh_recorder<mirror::BvhSkipRecorded<float>>(input);
-}
-
-WalkRecorder record_bvh_skip_padded(const RecorderInput& input) {
-    return bvh_recorder<mirror::BvhSkipPaddedRecorded<float>>(input);
-}
-
-WalkRecorder record_bvh_ordered(const RecorderInput& input) {
-    return bvh_recorder<mirror::BvhOrderedRecorded<float>>(input);
-}
-
-WalkRecorder record_bvh_parent(const RecorderInput& input) {
-    return bvh_recorder<mirror::BvhParentRecorded<float>>(input);
-}
-
-WalkRecorder record_bvh_stack(const RecorderInput& input) {
-    return bvh_recorder<mirror::BvhStackRecorded<float>>(input);
+Recorders bvh_recorders() {
+#define WALK(name) {#name, make<mirror::walks::name>},
+    return {WALKS_IN_bvh};
+#undef WALK
 }
 
 } // namespace raysteps

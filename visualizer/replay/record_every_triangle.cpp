@@ -1,31 +1,17 @@
 #include "record_with.h"
-#include "recorders.h"
 
 namespace raysteps {
 
-namespace mirror {
-
-template <class Real>
-struct EveryTriangleRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/every_triangle.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-} // namespace mirror
-
 namespace {
 
-using Mirror = mirror::EveryTriangleRecorded<float>;
-
+template <class Mirror>
 struct ExplainTest {
     static constexpr bool each_test_is_a_step = true;
 
-    ExplainTest(const Mirror&, const Mirror::Ray& mirror_ray, const RecorderInput&)
+    ExplainTest(const Mirror&, const typename Mirror::Ray& mirror_ray, const RecorderInput&)
         : ray(mirror_ray) {}
 
-    Step visit(const Mirror&, int, const Mirror::Hit&) const {
+    Step visit(const Mirror&, int, const typename Mirror::Hit&) const {
         Step step;
         step.outcome = Outcome::tested;
         step.listed = 1;
@@ -43,13 +29,21 @@ struct ExplainTest {
         return ended_at_any_hit(walk) ? Ending::found : Ending::all_seen;
     }
 
-    Mirror::Ray ray;
+    typename Mirror::Ray ray;
 };
+
+template <template <class, class> class Walk>
+WalkRecorder make(const RecorderInput& input) {
+    using Mirror = Walk<float, mirror::Recorder>;
+    return recorder_of<Mirror, ExplainTest<Mirror>>(input);
+}
 
 } // namespace
 
-WalkRecorder record_every_triangle(const RecorderInput& input) {
-    return recorder_of<Mirror, ExplainTest>(input);
+Recorders loop_recorders() {
+#define WALK(name) {#name, make<mirror::walks::name>},
+    return {WALKS_IN_structure};
+#undef WALK
 }
 
 } // namespace raysteps

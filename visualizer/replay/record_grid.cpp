@@ -1,27 +1,6 @@
 #include "record_with.h"
-#include "recorders.h"
 
 namespace raysteps {
-
-namespace mirror {
-
-template <class Real>
-struct GridRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/grid/grid.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct GridMailboxRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/grid/grid_mailbox.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-} // namespace mirror
 
 namespace {
 
@@ -68,16 +47,18 @@ struct ExplainCell {
     float t; // where the walk is
 };
 
-} // namespace
-
-WalkRecorder record_grid(const RecorderInput& input) {
-    using Mirror = mirror::GridRecorded<float>;
+template <template <class, class> class Walk>
+WalkRecorder make(const RecorderInput& input) {
+    using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainCell<Mirror>>(input);
 }
 
-WalkRecorder record_grid_mailbox(const RecorderInput& input) {
-    using Mirror = mirror::GridMailboxRecorded<float>;
-    return recorder_of<Mirror, ExplainCell<Mirror>>(input);
+} // namespace
+
+Recorders grid_recorders() {
+#define WALK(name) {#name, make<mirror::walks::name>},
+    return {WALKS_IN_grid};
+#undef WALK
 }
 
 } // namespace raysteps

@@ -1,46 +1,9 @@
-#include "mirror/kd_tree.h"
+#include "mirror/walks.h"
 #include "record_with.h"
-#include "recorders.h"
 
 #include <algorithm>
 
 namespace raysteps {
-
-namespace mirror {
-
-template <class Real>
-struct KdRestartRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/kd_tree/kd_restart.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct KdBacktrackRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/kd_tree/kd_backtrack.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct KdShortStackRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/kd_tree/kd_short_stack.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct KdRopesRecorded {
-#define TRIANGLE_PART "triangle/watertight.glsl"
-#define STRUCTURE_PART "structure/kd_tree/kd_ropes.glsl"
-#define OBSERVER_PART "visualizer/replay/recorder.inc"
-#include "mirror/parts.inc"
-};
-
-} // namespace mirror
 
 namespace {
 
@@ -67,7 +30,7 @@ public:
     float end() const { return end_; }
 
 private:
-    using Mirror = mirror::KdBacktrack<float>;
+    using Mirror = mirror::walks::kd_backtrack<float>;
     mutable Mirror mirror_;
     Mirror::Ray ray_;
     float end_;
@@ -94,8 +57,9 @@ struct ExplainNode {
         step.face = exit.face;
         if (node.axis == mirror.kd_leaf) {
             step.listed = node.end_reference - node.first_reference;
+            // Ropes lead to leaves that the ray only touches; descents never do.
             const bool only_touched = exit.t <= t && exit.t < exits.end();
-            step.outcome = passes_over_points && only_touched ? Outcome::touched : Outcome::leaf;
+            step.outcome = only_touched ? Outcome::touched : Outcome::leaf;
         } else {
             const bool upwards = last_place != no_cell && mirror.kd_parent(last_place) == place;
             step.outcome = upwards ? Outcome::climbed : Outcome::entered;
@@ -126,35 +90,24 @@ struct ExplainNode {
         return walk.hit.triangle == no_triangle ? Ending::ray_is_over : Ending::hit;
     }
 
-    static constexpr bool passes_over_points = requires(Mirror mirror) { mirror.kd_ropes; };
-
     typename Mirror::Ray ray;
     BoxExits exits;
     float t; // where the walk is
     int last_place = no_cell;
 };
 
-template <class Mirror>
-WalkRecorder kd_recorder(const RecorderInput& input) {
+template <template <class, class> class Walk>
+WalkRecorder make(const RecorderInput& input) {
+    using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainNode<Mirror>>(input);
 }
 
 } // namespace
 
-WalkRecorder record_kd_restart(const RecorderInput& input) {
-    return kd_recorder<mirror::KdRestartRecorded<float>>(input);
-}
-
-WalkRecorder record_kd_backtrack(const RecorderInput& input) {
-    return kd_recorder<mirror::KdBacktrackRecorded<float>>(input);
-}
-
-WalkRecorder record_kd_short_stack(const RecorderInput& input) {
-    return kd_recorder<mirror::KdShortStackRecorded<float>>(input);
-}
-
-WalkRecorder record_kd_ropes(const RecorderInput& input) {
-    return kd_recorder<mirror::KdRopesRecorded<float>>(input);
+Recorders kd_tree_recorders() {
+#define WALK(name) {#name, make<mirror::walks::name>},
+    return {WALKS_IN_kd_tree};
+#undef WALK
 }
 
 } // namespace raysteps

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "mirror/packed_mirror.h"
+#include "mirror/walks.h"
 #include "basics/threads.h"
-#include "walk_event.h"
 #include "walk_recorder.h"
 
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace raysteps {
@@ -21,10 +22,10 @@ constexpr float near_enough_for(Question question) {
     return question == Question::any ? farthest : -farthest;
 }
 
-// Runs the whole walk with an observer who writes it down.
+// Runs the whole walk with a mirror::Recorder.
 template <class Mirror>
 Hit run_walk(Mirror& mirror, const Ray& ray, Question question) {
-    mirror.events.clear();
+    mirror.observer.events.clear();
     return mirror::from_mirror(
         mirror.find_hit(mirror::to_mirror<Mirror>(ray), near_enough_for(question)));
 }
@@ -51,13 +52,13 @@ RecordedWalk record_with(const RecorderInput& input, const Ray& ray, Question qu
     walk.ray = ray;
     walk.question = question;
     walk.hit = run_walk(mirror, ray, question);
-    const std::vector<WalkEvent> events = std::exchange(mirror.events, {});
+    const std::vector<mirror::WalkEvent> events = std::exchange(mirror.observer.events, {});
     const auto mirror_ray = mirror::to_mirror<Mirror>(ray);
     const auto prepared = mirror.prepare_ray(mirror_ray);
     auto nearest = mirror.miss(mirror_ray);
     Explain explain(mirror, mirror_ray, input);
-    for (const WalkEvent& event : events) {
-        const bool is_visit = event.kind == WalkEvent::Kind::visit;
+    for (const mirror::WalkEvent& event : events) {
+        const bool is_visit = event.kind == mirror::WalkEvent::Kind::visit;
         if (is_visit || explain.each_test_is_a_step) {
             if (!walk.steps.empty()) {
                 explain.leave(walk.steps.back());
@@ -91,8 +92,9 @@ WalkRecorder recorder_of(const RecorderInput& input) {
             auto mirror = mirror::mirror_of<Mirror>(input.scene, input.packed);
             for (std::size_t i = begin; i < end; ++i) {
                 run_walk(mirror, rays[i], Question::nearest);
-                for (const WalkEvent& event : mirror.events) {
-                    ++(event.kind == WalkEvent::Kind::visit ? counts[i].visits : counts[i].tests);
+                for (const mirror::WalkEvent& event : mirror.observer.events) {
+                    ++(event.kind == mirror::WalkEvent::Kind::visit ? counts[i].visits
+                                                                    : counts[i].tests);
                 }
             }
         });
@@ -105,5 +107,14 @@ WalkRecorder recorder_of(const RecorderInput& input) {
 inline bool ended_at_any_hit(const RecordedWalk& walk) {
     return walk.question == Question::any && walk.hit.triangle != no_triangle;
 }
+
+// How the walks of a folder of shaders/structure are recorded, by their names.
+using MakeRecorder = WalkRecorder (*)(const RecorderInput&);
+using Recorders = std::map<std::string, MakeRecorder>;
+
+Recorders loop_recorders();
+Recorders grid_recorders();
+Recorders kd_tree_recorders();
+Recorders bvh_recorders();
 
 } // namespace raysteps

@@ -4,68 +4,46 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace raysteps {
 
 namespace {
 
-// every_triangle
-const LineMarker loop_nearer{"structure/every_triangle.glsl", "if (is_nearer(hit, nearest)) {"};
-const LineMarker loop_found{"structure/every_triangle.glsl", "found = hit.t <= near_enough;"};
+namespace fs = std::filesystem;
 
-// Grids.
-const LineMarker grid_leaves{"structure/grid/grid.glsl", "int axis = first_axis(leaves);"};
-const LineMarker grid_hit{"structure/grid/grid.glsl", "ended = nearest.t < leaves[axis] ||"};
-const LineMarker grid_outside{"structure/grid/grid.glsl", "ended = ended || i < 0 ||"};
-const LineMarker grid_found{"structure/grid/grid.glsl", "ended = hit.t <= near_enough;"};
+// The words of a line, and how another walk may say the same.
+using Words = std::vector<std::string>;
 
-// kd-trees.
-const LineMarker kd_side{"structure/kd_tree/kd_descent.glsl", "taken.child = t_split <= t ?"};
-const LineMarker kd_along{"structure/kd_tree/kd_descent.glsl", "taken.child = ray.origin[node.axis] <="};
-const LineMarker kd_ended{"structure/kd_tree/kd_descent.glsl", "visit.walk.ended = nearest.t < leaf.exit ||"};
-const LineMarker kd_found{"structure/kd_tree/kd_descent.glsl", "found = hit.t <= near_enough;"};
-const LineMarker kd_climbs{"structure/kd_tree/kd_backtrack.glsl", "while (up.exit <= t &&"};
-const LineMarker kd_touches{"structure/kd_tree/kd_ropes.glsl", "bool only_touched = leaf.exit <= t &&"};
+const Words nearer{"if (is_nearer(hit, nearest)) {", "if (is_nearer(hit, leaf.nearest)) {"};
+const Words found_any{"found = hit.t <= near_enough;", "ended = hit.t <= near_enough;"};
 
-// Bounding volume hierarchies.
-const LineMarker bvh_nearer{"structure/bvh/bvh_leaf.glsl", "if (is_nearer(hit, leaf.nearest)) {"};
-const LineMarker bvh_found{"structure/bvh/bvh_leaf.glsl", "leaf.found = hit.t <= near_enough;"};
-const LineMarker box_plain{"structure/bvh/box_plain.glsl", "return span.entry <= span.exit;"};
-const LineMarker box_padded{"structure/bvh/box_padded.glsl", "return span.entry <= exit;"};
+const Words grid_leaves{"int axis = first_axis(leaves);"};
+const Words grid_hit{"ended = nearest.t < leaves[axis] ||"};
+const Words grid_outside{"ended = ended || i < 0 ||"};
 
-LineMarker bvh_met(const std::string& file) {
-    return {file, "bool met = meets_bvh_node(for_boxes, here, nearest.t);"};
-}
+const Words kd_side{"taken.child = t_split <= t ?"};
+const Words kd_along{"taken.child = ray.origin[node.axis] <="};
+const Words kd_ended{"visit.walk.ended = nearest.t < leaf.exit ||"};
+const Words kd_climbs{"while (up.exit <= t &&"};
+const Words kd_touches{"bool only_touched = leaf.exit <= t &&"};
 
-struct BvhText {
-    LineMarker met;
-    LineMarker entered;
-};
+const Words bvh_met{"bool met = meets_bvh_node(for_boxes, here, nearest.t);"};
+const Words bvh_entered{"node = met && !is_bvh_leaf(here) ?", "node = inside ? bvh_children(",
+                        "node = children.near;"};
+const Words box_missed{"return span.entry <= exit;", "return span.entry <= span.exit;"};
 
-BvhText bvh_text(const std::string& structure) {
-    if (structure == "bvh_parent") {
-        return {bvh_met("structure/bvh/bvh_parent.glsl"),
-                {"structure/bvh/bvh_parent.glsl", "node = inside ? bvh_children("}};
-    }
-    if (structure == "bvh_stack") {
-        return {bvh_met("structure/bvh/bvh_stack.glsl"),
-                {"structure/bvh/bvh_stack.glsl", "node = children.near;"}};
-    }
-    return {bvh_met("structure/bvh/bvh_skip.glsl"),
-            {"structure/bvh/bvh_skip.glsl", "node = met && !is_bvh_leaf(here) ?"}};
-}
-
-LineMarker grid_marker(const RecordedWalk& walk, bool is_last) {
+Words grid_words(const RecordedWalk& walk, bool is_last) {
     if (!is_last) {
         return grid_leaves;
     }
     if (walk.ending == Ending::found) {
-        return grid_found;
+        return found_any;
     }
     return walk.ending == Ending::outside ? grid_outside : grid_hit;
 }
 
-LineMarker kd_marker(const RecordedWalk& walk, const Step& step, bool is_last) {
+Words kd_words(const RecordedWalk& walk, const Step& step, bool is_last) {
     switch (step.outcome) {
     case Outcome::climbed:
         return kd_climbs;
@@ -74,76 +52,102 @@ LineMarker kd_marker(const RecordedWalk& walk, const Step& step, bool is_last) {
     case Outcome::entered:
         return walk.ray.direction[step.axis] == 0.0f ? kd_along : kd_side;
     default:
-        return is_last && walk.ending == Ending::found ? kd_found : kd_ended;
+        return is_last && walk.ending == Ending::found ? found_any : kd_ended;
     }
 }
 
-LineMarker bvh_marker(const RecordedWalk& walk, const Step& step, bool is_last) {
+Words bvh_words(const RecordedWalk& walk, const Step& step, bool is_last) {
     switch (step.outcome) {
     case Outcome::missed:
-        return walk.structure == "bvh_skip_padded" ? box_padded : box_plain;
+        return box_missed;
     case Outcome::behind:
-        return bvh_text(walk.structure).met;
+        return bvh_met;
     case Outcome::entered:
-        return bvh_text(walk.structure).entered;
+        return bvh_entered;
     default:
-        return is_last && walk.ending == Ending::found ? bvh_found : bvh_nearer;
+        return is_last && walk.ending == Ending::found ? found_any : nearer;
     }
 }
 
-LineMarker marker_of(const RecordedWalk& walk, std::size_t number) {
+// The file of a walk, from the shader folder, and the name of the folder that it is in.
+fs::path file_of(const std::string& structure) {
+    const fs::path root = RAYSTEPS_SHADER_DIR;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "structure")) {
+        if (entry.path().filename() == structure + ".glsl") {
+            return fs::relative(entry.path(), root);
+        }
+    }
+    throw MachineError("shaders/structure: there is no file " + structure +
+                       ".glsl. Restore it, or take another --structure.");
+}
+
+Words words_of(const RecordedWalk& walk, std::size_t number) {
     const Step& step = walk.steps.at(number);
     const bool is_last = number + 1 == walk.steps.size();
-    if (walk.structure.starts_with("grid")) {
-        return grid_marker(walk, is_last);
+    const std::string folder = file_of(walk.structure).parent_path().filename();
+    if (folder == "grid") {
+        return grid_words(walk, is_last);
     }
-    if (walk.structure.starts_with("kd")) {
-        return kd_marker(walk, step, is_last);
+    if (folder == "kd_tree") {
+        return kd_words(walk, step, is_last);
     }
-    if (walk.structure.starts_with("bvh")) {
-        return bvh_marker(walk, step, is_last);
+    if (folder == "bvh") {
+        return bvh_words(walk, step, is_last);
     }
-    return is_last && walk.ending == Ending::found ? loop_found : loop_nearer;
+    return is_last && walk.ending == Ending::found ? found_any : nearer;
+}
+
+std::vector<std::string> lines_of(const fs::path& file) {
+    std::ifstream stream(fs::path(RAYSTEPS_SHADER_DIR) / file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+// A walk's file, then those that it includes.
+std::vector<fs::path> files_of(const std::string& structure) {
+    std::vector<fs::path> files{file_of(structure)};
+    const std::string include = "#include \"";
+    for (const std::string& line : lines_of(files.front())) {
+        if (line.starts_with(include)) {
+            files.emplace_back(line.substr(include.size(), line.rfind('"') - include.size()));
+        }
+    }
+    return files;
 }
 
 } // namespace
 
-ShaderLine find_line(const LineMarker& marker) {
-    std::ifstream file(std::filesystem::path(RAYSTEPS_SHADER_DIR) / marker.file);
-    ShaderLine found;
-    int number = 0;
-    int times = 0;
-    for (std::string line; std::getline(file, line);) {
-        ++number;
-        if (line.find(marker.words) != std::string::npos) {
-            ++times;
-            found = {marker.file, number, line.substr(line.find_first_not_of(' '))};
+ShaderLine find_line(const std::string& structure, const std::vector<std::string>& words) {
+    const std::vector<fs::path> files = files_of(structure);
+    for (const std::string& wanted : words) {
+        for (const fs::path& file : files) {
+            ShaderLine found;
+            int number = 0;
+            int times = 0;
+            for (const std::string& line : lines_of(file)) {
+                ++number;
+                if (line.find(wanted) != std::string::npos) {
+                    ++times;
+                    found = {file, number, line.substr(line.find_first_not_of(' '))};
+                }
+            }
+            if (times == 1) {
+                return found;
+            }
         }
     }
-    if (times != 1) {
-        throw MachineError("shaders/" + marker.file + ": the line with `" + marker.words +
-                           "` stands there " + std::to_string(times) +
-                           " times, and is shown where it stands once. Restore the file, or name "
-                           "its line in visualizer/replay/shader_line.cpp.");
-    }
-    return found;
+    throw MachineError("shaders/" + files.front().string() + ": no line with `" + words.front() +
+                       "` stands there once, nor in a file that it includes. Restore the file, or "
+                       "name its line in visualizer/replay/shader_line.cpp.");
 }
 
 ShaderLine deciding_line(const RecordedWalk& walk, std::size_t step) {
-    return find_line(marker_of(walk, step));
-}
-
-std::vector<LineMarker> all_markers() {
-    std::vector<LineMarker> markers{loop_nearer,  loop_found, grid_leaves, grid_hit,
-                                    grid_outside, grid_found, kd_side,     kd_along,
-                                    kd_ended,     kd_found,   kd_climbs,   kd_touches,
-                                    bvh_nearer,   bvh_found,  box_plain,   box_padded};
-    for (const std::string structure : {"bvh_skip", "bvh_parent", "bvh_stack"}) {
-        const BvhText text = bvh_text(structure);
-        markers.push_back(text.met);
-        markers.push_back(text.entered);
-    }
-    return markers;
+    Words words = words_of(walk, step);
+    words.emplace_back("observe_visit(");
+    return find_line(walk.structure, words);
 }
 
 } // namespace raysteps

@@ -15,19 +15,13 @@ struct ShaderLine {
     std::string text; // without the spaces before it
 };
 
-// Words of a line that stand once in its file.
-struct LineMarker {
-    std::string file;
-    std::string words;
-};
-
-// The line that decides what became of a step. It is looked for in the shader folder. Throws
-// MachineError where its words stand there no more, or twice.
+// The line that decides what became of a step, in the file of the walk or in one that it includes.
+// Of a walk that spells it in words of its own, the line that calls observe_visit.
 ShaderLine deciding_line(const RecordedWalk& walk, std::size_t step);
 
-ShaderLine find_line(const LineMarker& marker);
-
-// All that deciding_line looks for.
-std::vector<LineMarker> all_markers();
+// The line with one of the words in the file shaders/structure/**/NAME.glsl or in one that it
+// includes: the first words that stand there. Throws MachineError where none do, or where they stand
+// twice in a file.
+ShaderLine find_line(const std::string& structure, const std::vector<std::string>& words);
 
 } // namespace raysteps

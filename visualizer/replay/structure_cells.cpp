@@ -1,5 +1,6 @@
 #include "structure_cells.h"
 
+#include "mirror/walks.h"
 #include "structure/grid/grid.h"
 #include "structure/bvh/bvh_split.h"
 
@@ -57,35 +58,32 @@ StructureCells kd_cells_of(const PackedStructure& packed) {
     return tree;
 }
 
-// The triangles of a leaf go on until one says that it is the last.
-int count_in_leaf(const std::vector<glm::ivec4>& triangles, int first) {
-    int count = 1;
-    while (triangles[3 * static_cast<std::size_t>(first + count - 1) + 1].w == 0) {
-        ++count;
-    }
-    return count;
-}
-
-glm::vec3 point_of(const glm::ivec4& texel) {
-    return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y),
-            std::bit_cast<float>(texel.z)};
-}
-
-// In octant 0 the planes that come first are the lower ones.
-StructureCells bvh_cells_of(const PackedStructure& packed) {
+// Each node in the order of octant 0, where the planes that come first are the lower ones: a node,
+// its near branch, its far one. A branch ends where its skip leads.
+template <class Mirror>
+StructureCells tree_cells_of(const PackedStructure& packed) {
+    Mirror mirror{};
+    mirror.read(packed);
     StructureCells tree;
     tree.kind = CellKind::bvh;
-    const std::vector<glm::ivec4>& nodes = packed.integer_vectors.at("bvh_nodes");
-    const std::vector<std::int32_t>& parents = packed.integers.at("bvh_parents");
-    tree.cells.resize(parents.size());
-    for (std::size_t i = 0; i < parents.size(); ++i) {
-        Cell& cell = tree.cells[i];
-        cell.box = {point_of(nodes[2 * i]), point_of(nodes[2 * i + 1])};
-        cell.parent = parents[i];
-        const int link = nodes[2 * i + 1].w;
-        cell.leaf = link >= 0;
-        cell.triangles =
-            cell.leaf ? count_in_leaf(packed.integer_vectors.at("bvh_triangles"), link) : 0;
+    tree.cells.resize(static_cast<std::size_t>(mirror.bvh_node_count));
+    std::vector<int> open; // the branches that a node is in
+    for (int i = 0; i < mirror.bvh_node_count; ++i) {
+        while (!open.empty() && mirror.bvh_node(open.back()).skip == i) {
+            open.pop_back();
+        }
+        const auto node = mirror.bvh_node(i);
+        Cell& cell = tree.cells[static_cast<std::size_t>(i)];
+        cell.box = {node.first_planes, node.last_planes};
+        cell.parent = open.empty() ? no_cell : open.back();
+        cell.leaf = mirror.is_bvh_leaf(node);
+        if (!cell.leaf) {
+            open.push_back(i);
+            continue;
+        }
+        for (int triangle = node.link; cell.triangles++, !mirror.bvh_triangle(triangle).last;) {
+            ++triangle;
+        }
     }
     return tree;
 }
@@ -97,7 +95,13 @@ StructureCells bare_cells_of(const PackedStructure& packed) {
     if (packed.integer_vectors.contains("kd_nodes")) {
         return kd_cells_of(packed);
     }
-    return packed.integer_vectors.contains("bvh_nodes") ? bvh_cells_of(packed) : StructureCells{};
+    if (packed.integer_vectors.contains("bvh_nodes")) {
+        return tree_cells_of<mirror::walks::bvh_skip<float>>(packed);
+    }
+    if (packed.integer_vectors.contains("half_nodes")) {
+        return tree_cells_of<mirror::walks::half_bvh<float>>(packed);
+    }
+    return {};
 }
 
 Box whole_of(const StructureCells& structure) {

@@ -1,31 +1,20 @@
 #include "walk_recorder.h"
 
 #include "basics/error.h"
-#include "recorders.h"
-
-#include <map>
+#include "record_with.h"
 
 namespace raysteps {
 
 namespace {
 
-using MakeRecorder = WalkRecorder (*)(const RecorderInput&);
-
-const std::map<std::string, MakeRecorder>& recorders() {
-    static const std::map<std::string, MakeRecorder> all{
-        {"every_triangle", record_every_triangle},
-        {"grid", record_grid},
-        {"grid_mailbox", record_grid_mailbox},
-        {"kd_restart", record_kd_restart},
-        {"kd_backtrack", record_kd_backtrack},
-        {"kd_short_stack", record_kd_short_stack},
-        {"kd_ropes", record_kd_ropes},
-        {"bvh_skip", record_bvh_skip},
-        {"bvh_skip_padded", record_bvh_skip_padded},
-        {"bvh_ordered", record_bvh_ordered},
-        {"bvh_parent", record_bvh_parent},
-        {"bvh_stack", record_bvh_stack},
-    };
+const Recorders& recorders() {
+    static const Recorders all = [] {
+        Recorders found = loop_recorders();
+        for (Recorders more : {grid_recorders(), kd_tree_recorders(), bvh_recorders()}) {
+            found.merge(more);
+        }
+        return found;
+    }();
     return all;
 }
 

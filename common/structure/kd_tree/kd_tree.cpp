@@ -62,7 +62,7 @@ PackedStructure pack(const KdTree& tree) {
         boxes.emplace_back(sides.lower, 0.0f);
         boxes.emplace_back(sides.upper, 0.0f);
     }
-    std::vector<std::int32_t>& ropes = structure.integers["kd_ropes"];
+    std::vector<std::int32_t>& ropes = structure.integers["kd_leaf_ropes"];
     for (const KdRopes& each : tree.ropes) {
         ropes.insert(ropes.end(), each.begin(), each.end());
     }

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "gpu/context.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "reference/reference_ray.h"
 #include "render/rays.h"
@@ -74,7 +74,7 @@ TEST_CASE("directions computed on the GPU have the bits of the mirror", "[01][ag
     CAPTURE(seed);
     RandomNumbers numbers(seed);
     const auto context = make_context(ContextKind::automatic);
-    using Mirror = mirror::EveryTriangleWatertight<float>;
+    using Mirror = mirror::walks::every_triangle<float>;
     Mirror mirror{};
     const int width = 37;
     const int height = 23;

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "scene/view.h"
 
 #include <glm/geometric.hpp>
@@ -51,7 +51,7 @@ TEST_CASE("the primary ray of the middle goes to the target", "[01][view]") {
     Camera camera;
     camera.eye = {3.0f, -2.0f, 7.0f};
     camera.target = {-1.0f, 0.5f, 0.25f};
-    using Mirror = mirror::EveryTriangleWatertight<float>;
+    using Mirror = mirror::walks::every_triangle<float>;
     Mirror mirror{};
     const View view = view_of(camera, 1.0);
     const auto ray =

@@ -30,9 +30,9 @@ TEST_CASE("the GPU and the mirror give the same bits", "[02][agreement]") {
     const std::vector<Hit> watertight = gpu_hits(scene, rays, "watertight");
     CHECK(count_hits(watertight) > 1000);
     CHECK(count_different(watertight,
-                          mirror_hits<mirror::EveryTriangleWatertight<float>>(scene, rays)) == 0);
+                          mirror_hits<mirror::walks::every_triangle<float>>(scene, rays)) == 0);
     CHECK(count_different(gpu_hits(scene, rays, "moeller_trumbore"),
-                          mirror_hits<mirror::EveryTriangleMoellerTrumbore<float>>(scene, rays)) ==
+                          mirror_hits<mirror::triangle_tests::moeller_trumbore<float>>(scene, rays)) ==
           0);
 }
 

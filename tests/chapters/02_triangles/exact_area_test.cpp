@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "basics/random_numbers.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace raysteps;
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 struct Place {
     std::int64_t x;

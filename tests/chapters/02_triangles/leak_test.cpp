@@ -33,5 +33,5 @@ TEST_CASE("no ray leaves a closed mesh through an edge or a corner", "[02][hard_
     CHECK(count_misses(gpu_hits(scene, at_corners, "moeller_trumbore")) > 1000);
 
     const std::span<const Ray> some = std::span(at_corners).first(2000);
-    CHECK(count_misses(mirror_hits<mirror::EveryTriangleWatertight<double>>(scene, some)) == 0);
+    CHECK(count_misses(mirror_hits<mirror::walks::every_triangle<double>>(scene, some)) == 0);
 }

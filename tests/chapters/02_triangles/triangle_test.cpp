@@ -13,8 +13,8 @@ using namespace raysteps;
 
 namespace {
 
-using Watertight = mirror::EveryTriangleWatertight<float>;
-using MoellerTrumbore = mirror::EveryTriangleMoellerTrumbore<float>;
+using Watertight = mirror::walks::every_triangle<float>;
+using MoellerTrumbore = mirror::triangle_tests::moeller_trumbore<float>;
 
 Scene one_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     Mesh mesh;

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "image/difference.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/whitted.h"
 #include "reference/whitted.h"
 #include "scene/load_scene.h"
@@ -35,7 +35,7 @@ TEST_CASE("the wavefront and its mirror paint the same bits", "[03][agreement]")
         CAPTURE(name);
         const Scene scene = load_scene(name, 1.0f);
         const mirror::SceneBuffers buffers(scene);
-        auto mirror = mirror::mirror_of<mirror::EveryTriangleWatertight<float>>(buffers);
+        auto mirror = mirror::mirror_of<mirror::walks::every_triangle<float>>(buffers);
         const Image expected =
             mirror::render_whitted_by_mirror(mirror, scene, view_of(scene.camera, 1.0), 48, 48, 5);
         CHECK(count_different_bits(whitted_by_gpu(scene, 48, 48, 5), expected) == 0);

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
 #include "scene/shapes.h"
 #include "support/mirror_hits.h"
@@ -15,7 +15,7 @@ using namespace raysteps;
 
 namespace {
 
-using Mirror = mirror::EveryTriangleWatertight<float>;
+using Mirror = mirror::walks::every_triangle<float>;
 
 struct Outcome {
     long hits = 0;

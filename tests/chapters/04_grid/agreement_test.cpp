@@ -84,8 +84,9 @@ TEST_CASE("a walk cut into small rounds gives the same bits", "[04][launches]") 
     REQUIRE(count_hits(at_once) > 2000);
     for (const int rounds : {1, 2, 7, 100}) {
         CAPTURE(rounds);
-        const auto walk = mirror::mirror_of<GridWalk>(buffers, grid);
-        const auto mailbox = mirror::mirror_of<MailboxWalk>(buffers, grid);
+        const PackedStructure packed = pack(grid);
+        const auto walk = mirror::mirror_of<GridWalk>(buffers, packed);
+        const auto mailbox = mirror::mirror_of<MailboxWalk>(buffers, packed);
         CHECK(count_different(hits_by(walk, rays, rounds), at_once) == 0);
         CHECK(count_different(hits_by(mailbox, rays, rounds), at_once) == 0);
     }
@@ -100,8 +101,9 @@ TEST_CASE("any hit is found exactly where there is a nearest one", "[04][agreeme
     const Grid grid = grid_for(scene, rays);
     const mirror::SceneBuffers buffers(scene);
     auto every = mirror::mirror_of<EveryTriangle>(buffers);
-    auto walk = mirror::mirror_of<GridWalk>(buffers, grid);
-    auto mailbox = mirror::mirror_of<MailboxWalk>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    auto walk = mirror::mirror_of<GridWalk>(buffers, packed);
+    auto mailbox = mirror::mirror_of<MailboxWalk>(buffers, packed);
     std::size_t hits = 0;
     std::size_t different = 0;
     for (const Ray& ray : rays) {
@@ -124,8 +126,9 @@ TEST_CASE("the walk in double finds the hits of the loop in double", "[04][agree
     const std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 2000);
     const Grid grid = grid_for(scene, rays);
     const mirror::SceneBuffers buffers(scene);
-    const auto every = mirror::mirror_of<mirror::EveryTriangleWatertight<double>>(buffers);
-    const auto walk = mirror::mirror_of<mirror::GridWatertight<double>>(buffers, grid);
+    const auto every = mirror::mirror_of<mirror::walks::every_triangle<double>>(buffers);
+    const PackedStructure packed = pack(grid);
+    const auto walk = mirror::mirror_of<mirror::walks::grid<double>>(buffers, packed);
     CHECK(count_different(hits_by(walk, rays), hits_by(every, rays)) == 0);
 }
 
@@ -137,13 +140,14 @@ TEST_CASE("the mailbox tests fewer triangles and visits the same cells", "[04][m
     const std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 2000);
     const Grid grid = grid_for(scene, rays);
     const mirror::SceneBuffers buffers(scene);
-    auto walk = mirror::mirror_of<mirror::GridCounted<float>>(buffers, grid);
-    auto mailbox = mirror::mirror_of<mirror::GridMailboxCounted<float>>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    auto walk = mirror::mirror_of<mirror::walks::grid<float, mirror::Counter>>(buffers, packed);
+    auto mailbox = mirror::mirror_of<mirror::walks::grid_mailbox<float, mirror::Counter>>(buffers, packed);
     for (const Ray& ray : rays) {
         walk.closest_hit(mirror::to_mirror<decltype(walk)>(ray));
         mailbox.closest_hit(mirror::to_mirror<decltype(mailbox)>(ray));
     }
-    CHECK(mailbox.observations().x == walk.observations().x);
-    CHECK(mailbox.observations().y < walk.observations().y * 9 / 10);
-    CHECK(mailbox.observations().y > 2000);
+    CHECK(mailbox.observer.visits == walk.observer.visits);
+    CHECK(mailbox.observer.tests < walk.observer.tests * 9 / 10);
+    CHECK(mailbox.observer.tests > 2000);
 }

@@ -31,7 +31,8 @@ TEST_CASE("ten thousand copies of a triangle are one hit and the first", "[04][h
     const Grid grid = grid_for(scene, rays, with_resolution(8));
     CHECK(check_agreement(scene, grid, rays) == 100);
     const mirror::SceneBuffers buffers(scene);
-    for (const Hit& hit : hits_by(mirror::mirror_of<MailboxWalk>(buffers, grid), rays)) {
+    const PackedStructure packed = pack(grid);
+    for (const Hit& hit : hits_by(mirror::mirror_of<MailboxWalk>(buffers, packed), rays)) {
         CHECK(hit.triangle == 1);
     }
 }

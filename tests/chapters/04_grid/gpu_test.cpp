@@ -15,7 +15,8 @@ TEST_CASE("the GPU and the mirror walk a grid to the same bits", "[04][gpu]") {
     const std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 10000);
     const mirror::SceneBuffers buffers(scene);
     const Grid grid = grid_for(scene, rays, with_resolution(20));
-    const std::vector<Hit> expected = hits_by(mirror::mirror_of<GridWalk>(buffers, grid), rays);
+    const PackedStructure packed = pack(grid);
+    const std::vector<Hit> expected = hits_by(mirror::mirror_of<GridWalk>(buffers, packed), rays);
     const auto context = make_context(ContextKind::automatic);
     CHECK(count_different(gpu_hits_of(scene, rays, "grid", {{"resolution", "20"}}), expected) == 0);
     CHECK(count_different(gpu_hits_of(scene, rays, "grid_mailbox", {{"resolution", "20"}}),
@@ -49,7 +50,7 @@ TEST_CASE("the GPU answers rays that are no rays", "[04][gpu][hard_case]") {
     for (const std::string structure : {"grid", "grid_mailbox"}) {
         CAPTURE(structure);
         TraceRays trace({{"triangle", "triangle/watertight.glsl"},
-                         {"structure", "structure/" + structure + ".glsl"}},
+                         {"structure", find_part("structure", structure)}},
                         2048);
         const std::vector<Hit> hits =
             read_hits(trace.closest_hits(upload_rays(rays), textures), rays.size());

@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
 #include "hard_cases/meshes.h"
-#include "mirror/grid.h"
+#include "mirror/walks.h"
 #include "structure/grid/build_grid.h"
 #include "structure/padding.h"
 #include "support/gpu_hits.h"
@@ -15,8 +15,8 @@
 
 namespace raysteps {
 
-using GridWalk = mirror::GridWatertight<float>;
-using MailboxWalk = mirror::GridMailboxWatertight<float>;
+using GridWalk = mirror::walks::grid<float>;
+using MailboxWalk = mirror::walks::grid_mailbox<float>;
 
 inline Grid grid_for(const Scene& scene, std::span<const Ray> rays, GridOptions options = {}) {
     options.reach = static_cast<double>(reach_of(rays, scene.corners));
@@ -45,9 +45,10 @@ struct Agreement {
 inline Agreement agreement_of(const Scene& scene, const Grid& grid, std::span<const Ray> rays) {
     const mirror::SceneBuffers buffers(scene);
     const std::vector<Hit> expected = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
-    const std::vector<Hit> found = hits_by(mirror::mirror_of<GridWalk>(buffers, grid), rays);
+    const PackedStructure packed = pack(grid);
+    const std::vector<Hit> found = hits_by(mirror::mirror_of<GridWalk>(buffers, packed), rays);
     const std::vector<Hit> by_mailbox =
-        hits_by(mirror::mirror_of<MailboxWalk>(buffers, grid), rays);
+        hits_by(mirror::mirror_of<MailboxWalk>(buffers, packed), rays);
     return {count_hits(expected), count_different(found, expected),
             count_different(by_mailbox, expected)};
 }

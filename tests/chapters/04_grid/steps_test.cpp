@@ -10,7 +10,8 @@ namespace {
 // The numbers of the cells that a walk visits, as it goes, one round at a time.
 std::vector<int> cells_on_the_way(const Scene& scene, const Grid& grid, const Ray& ray) {
     const mirror::SceneBuffers buffers(scene);
-    GridWalk mirror = mirror::mirror_of<GridWalk>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    GridWalk mirror = mirror::mirror_of<GridWalk>(buffers, packed);
     const auto own = mirror::to_mirror<GridWalk>(ray);
     std::vector<int> cells;
     auto walk = mirror.start_walk(own);
@@ -117,7 +118,8 @@ TEST_CASE("G8 rays that are no rays are answered within the grid", "[04][hard_ca
     const Scene scene = scene_of(random_triangles(numbers, 100));
     const Grid grid = grid_for(scene, {});
     const mirror::SceneBuffers buffers(scene);
-    GridWalk mirror = mirror::mirror_of<GridWalk>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    GridWalk mirror = mirror::mirror_of<GridWalk>(buffers, packed);
     // A walk steps along each axis at most once a cell, and tests each reference at most once.
     const int most_rounds = grid.shape.cells.x + grid.shape.cells.y + grid.shape.cells.z +
                             static_cast<int>(grid.references.size());
@@ -144,14 +146,15 @@ TEST_CASE("G10 a walk takes at most one step a cell along each axis", "[04][hard
     const Scene scene = scene_of(random_triangles(numbers, 200));
     const Grid grid = grid_for(scene, {}, with_resolution(32));
     const mirror::SceneBuffers buffers(scene);
-    auto counted = mirror::mirror_of<mirror::GridCounted<float>>(buffers, grid);
+    const PackedStructure packed = pack(grid);
+    auto counted = mirror::mirror_of<mirror::walks::grid<float, mirror::Counter>>(buffers, packed);
     const glm::ivec3 cells = grid.shape.cells;
     unsigned most = 0;
     for (const RayFamily& family : lattice_families(numbers, lattice_of(grid.shape), 2000)) {
         for (const Ray& ray : family.rays) {
-            counted.observe_from(mirror::uvec4(0U));
+            counted.observer = {};
             counted.closest_hit(mirror::to_mirror<decltype(counted)>(ray));
-            most = std::max(most, counted.observations().x);
+            most = std::max(most, counted.observer.visits);
         }
     }
     CHECK(most > 32U);

@@ -118,7 +118,7 @@ TEST_CASE("a walk that takes any hit stops where there is one and only there", "
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 200));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(build_kd_tree(scene.corners, {}));
+    const PackedStructure packed = pack(build_kd_tree(scene.corners, {}));
     auto every_triangle = mirror::mirror_of<EveryTriangle>(buffers);
     const auto wrong_answers = [&](auto mirror) {
         using Mirror = decltype(mirror);
@@ -142,7 +142,7 @@ TEST_CASE("rays that are nonsense end all the same", "[05][agreement]") {
     RandomNumbers numbers(16);
     const Scene scene = scene_of(random_triangles(numbers, 100));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(build_kd_tree(scene.corners, with_small_leaves()));
+    const PackedStructure packed = pack(build_kd_tree(scene.corners, with_small_leaves()));
     const std::vector<Ray> rays = nonsense_rays();
     const auto check = [&](const std::string& name, const auto& mirror) {
         CAPTURE(name);

@@ -43,7 +43,7 @@ TEST_CASE("ten thousand copies of a triangle make one leaf and the first copy is
         CHECK(agrees(agreement));
     }
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     for (const Hit& hit : hits_by(mirror::mirror_of<RopesWalk>(buffers, packed), rays)) {
         CHECK(hit.triangle == 0);
     }

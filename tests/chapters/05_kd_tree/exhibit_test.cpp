@@ -174,7 +174,7 @@ TEST_CASE("without padding rays that end at their hit miss it", "[05][exhibit][h
         rays[i].t_max = hits[i].triangle == no_triangle ? rays[i].t_max : hits[i].t;
     }
     const auto different = [&](const KdTree& each) {
-        const mirror::KdBuffers packed(each);
+        const PackedStructure packed = pack(each);
         return count_different(hits, hits_by(mirror::mirror_of<Restart>(buffers, packed), rays));
     };
     CHECK(different(tree) == 0);

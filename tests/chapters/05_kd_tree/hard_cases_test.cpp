@@ -2,7 +2,6 @@
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
 #include "kd_hits.h"
-#include "recorded_walks.h"
 #include "scene/shapes.h"
 #include "structure/kd_tree/check_kd_tree.h"
 #include "support/hard_scenes.h"
@@ -113,20 +112,20 @@ TEST_CASE("K6 walks go on through edges and corners of leaves", "[05][hard_case]
     }
     // The rays are worth their name: ropes lead many of them to leaves that they only touch.
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     std::size_t by_ropes = 0;
     std::size_t by_restart = 0;
     const auto leaves_of = [&](auto mirror, const Ray& ray) {
         static_cast<void>(mirror.closest_hit(mirror::to_mirror<decltype(mirror)>(ray)));
-        return std::count_if(mirror.visited.begin(), mirror.visited.end(), [&](int place) {
+        return std::count_if(mirror.observer.visited.begin(), mirror.observer.visited.end(), [&](int place) {
             return is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
         });
     };
     for (const Ray& ray : rays) {
         by_ropes += static_cast<std::size_t>(
-            leaves_of(mirror::mirror_of<mirror::RecordedRopes<float>>(buffers, packed), ray));
+            leaves_of(mirror::mirror_of<mirror::walks::kd_ropes<float, Trail>>(buffers, packed), ray));
         by_restart += static_cast<std::size_t>(
-            leaves_of(mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed), ray));
+            leaves_of(mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed), ray));
     }
     CAPTURE(by_ropes, by_restart);
     CHECK(by_ropes > by_restart + 100);

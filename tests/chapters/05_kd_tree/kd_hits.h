@@ -2,7 +2,7 @@
 
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/kd_tree.h"
+#include "mirror/walks.h"
 #include "structure/kd_tree/build_kd_tree.h"
 #include "structure/padding.h"
 #include "support/gpu_hits.h"
@@ -14,10 +14,19 @@
 
 namespace raysteps {
 
-using Restart = mirror::KdRestart<float>;
-using Backtrack = mirror::KdBacktrack<float>;
-using ShortStack = mirror::KdShortStack<float>;
-using RopesWalk = mirror::KdRopesWalk<float>;
+// An observer that writes down what a walk enters and tests.
+struct Trail {
+    std::vector<int> visited;
+    std::vector<int> tested;
+
+    void visit(int place) { visited.push_back(place); }
+    void test(int triangle) { tested.push_back(triangle); }
+};
+
+using Restart = mirror::walks::kd_restart<float>;
+using Backtrack = mirror::walks::kd_backtrack<float>;
+using ShortStack = mirror::walks::kd_short_stack<float>;
+using RopesWalk = mirror::walks::kd_ropes<float>;
 
 inline KdTree tree_for(const Scene& scene, std::span<const Ray> rays, KdOptions options = {}) {
     options.reach = reach_of(rays, scene.corners);
@@ -62,7 +71,7 @@ inline std::string to_text(const Agreement& agreement) {
 inline Agreement agreement_of(const Scene& scene, const KdTree& tree, std::span<const Ray> rays,
                               int rounds = whole_walk) {
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     const std::vector<Hit> expected = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
     const auto different = [&](const auto& mirror) {
         return count_different(expected, hits_by(mirror, rays, rounds));

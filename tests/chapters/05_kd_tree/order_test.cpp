@@ -1,7 +1,6 @@
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
 #include "kd_hits.h"
-#include "recorded_walks.h"
 #include "scene/shapes.h"
 
 #include <algorithm>
@@ -24,12 +23,12 @@ template <class Mirror>
 Record record_of(Mirror mirror, const KdTree& tree, const Ray& ray) {
     static_cast<void>(mirror.closest_hit(mirror::to_mirror<Mirror>(ray)));
     Record record;
-    for (const int place : mirror.visited) {
+    for (const int place : mirror.observer.visited) {
         if (is_leaf(tree.nodes[static_cast<std::size_t>(place)])) {
             record.leaves.push_back(place);
         }
     }
-    record.tested = mirror.tested;
+    record.tested = mirror.observer.tested;
     return record;
 }
 
@@ -73,12 +72,12 @@ TEST_CASE("all walks test the same triangles in the same order", "[05][order]") 
     for (const KdOptions& options : {KdOptions{}, with_median(), with_small_leaves()}) {
         const KdTree tree = build_kd_tree(scene.corners, options);
         const mirror::SceneBuffers buffers(scene);
-        const mirror::KdBuffers packed(tree);
-        const auto restart = mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed);
-        const auto backtrack = mirror::mirror_of<mirror::RecordedBacktrack<float>>(buffers, packed);
+        const PackedStructure packed = pack(tree);
+        const auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
+        const auto backtrack = mirror::mirror_of<mirror::walks::kd_backtrack<float, Trail>>(buffers, packed);
         const auto short_stack =
-            mirror::mirror_of<mirror::RecordedShortStack<float>>(buffers, packed);
-        const auto ropes = mirror::mirror_of<mirror::RecordedRopes<float>>(buffers, packed);
+            mirror::mirror_of<mirror::walks::kd_short_stack<float, Trail>>(buffers, packed);
+        const auto ropes = mirror::mirror_of<mirror::walks::kd_ropes<float, Trail>>(buffers, packed);
         std::vector<RayFamily> families = ray_families(numbers, scene.corners, 200);
         for (RayFamily& family : tree_families(numbers, tree, scene.corners, 200)) {
             families.push_back(std::move(family));
@@ -117,7 +116,7 @@ TEST_CASE("a walk comes to each leaf along the ray once and to no other", "[05][
         corner = glm::vec3(1e9f);
     }
     const mirror::SceneBuffers buffers(nowhere);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     std::vector<Ray> rays = random_rays(numbers, 300);
     for (const Ray& ray : rays_at_box_corners(numbers, tree, triangles.corners, 300)) {
         rays.push_back(ray);
@@ -125,7 +124,7 @@ TEST_CASE("a walk comes to each leaf along the ray once and to no other", "[05][
     std::size_t different = 0;
     std::size_t leaves = 0;
     for (const Ray& ray : rays) {
-        const auto restart = mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed);
+        const auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
         const std::vector<int> expected = leaves_along(tree, ray);
         leaves += expected.size();
         const std::vector<int> entered = record_of(restart, tree, ray).leaves;

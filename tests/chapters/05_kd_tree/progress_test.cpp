@@ -37,7 +37,7 @@ TEST_CASE("K1 every walk makes progress at every step", "[05][hard_case]") {
     const Scene scene = scene_of(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 4));
     const KdTree tree = build_kd_tree(scene.corners, with_small_leaves());
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     for (const RayFamily& family : tree_families(numbers, tree, scene.corners, 300)) {
         for (const float distance : {1.0f, 1e5f}) {
             const std::vector<Ray> rays = with_large_t(family.rays, distance);

@@ -1,7 +1,6 @@
 #include "catch.h"
 #include "hard_cases/meshes.h"
 #include "kd_hits.h"
-#include "recorded_walks.h"
 #include "scene/shapes.h"
 
 #include <cmath>
@@ -19,7 +18,7 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
     options.leaf_triangles = 0;
     const KdTree tree = build_kd_tree(scene.corners, options);
     const mirror::SceneBuffers buffers(scene);
-    const mirror::KdBuffers packed(tree);
+    const PackedStructure packed = pack(tree);
     std::vector<Ray> rays;
     for (int i = 0; i < 2000; ++i) {
         // Past the first triangles, and through one of the last ones.
@@ -35,16 +34,16 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
     // No leaf is entered twice or skipped on the way.
     std::size_t different = 0;
     for (const Ray& ray : rays) {
-        auto restart = mirror::mirror_of<mirror::RecordedRestart<float>>(buffers, packed);
-        auto stack = mirror::mirror_of<mirror::RecordedShortStack<float>>(buffers, packed);
+        auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
+        auto stack = mirror::mirror_of<mirror::walks::kd_short_stack<float, Trail>>(buffers, packed);
         static_cast<void>(restart.closest_hit(mirror::to_mirror<decltype(restart)>(ray)));
         static_cast<void>(stack.closest_hit(mirror::to_mirror<decltype(stack)>(ray)));
         const auto no_leaf = [&](int place) {
             return !is_leaf(tree.nodes[static_cast<std::size_t>(place)]);
         };
-        std::erase_if(restart.visited, no_leaf);
-        std::erase_if(stack.visited, no_leaf);
-        different += restart.visited == stack.visited ? 0 : 1;
+        std::erase_if(restart.observer.visited, no_leaf);
+        std::erase_if(stack.observer.visited, no_leaf);
+        different += restart.observer.visited == stack.observer.visited ? 0 : 1;
     }
     CHECK(different == 0);
     // Such rays fill the stack: count the nodes that one puts off on its first way down.

@@ -1,7 +1,7 @@
 #include "build_trees.h"
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"
 #include "support/mirror_hits.h"
@@ -40,7 +40,7 @@ TEST_CASE("random triangles on a lattice make trees without faults", "[06][build
 TEST_CASE("each hit lies in the boxes of all nodes above its triangle", "[06][build][property]") {
     const int seed = 61;
     CAPTURE(seed);
-    using Loop = mirror::EveryTriangleWatertight<float>;
+    using Loop = mirror::walks::every_triangle<float>;
     for (const float offset : {0.0f, 1000.0f}) { // where coordinates are coarse
         RandomNumbers numbers(seed);
         Scene scene;

@@ -2,7 +2,7 @@
 
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/bvh.h"
+#include "mirror/walks.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/padding.h"
 #include "support/scene_of.h"
@@ -21,13 +21,13 @@ inline Bvh bvh_for(const Scene& scene, std::span<const Ray> rays, BvhOptions opt
 
 // Calls with the name and the mirror of each walk.
 template <class Call>
-void for_each_walk(const mirror::SceneBuffers& scene, const mirror::BvhBuffers& tree,
+void for_each_walk(const mirror::SceneBuffers& scene, const PackedStructure& tree,
                    const Call& call) {
-    call("bvh_skip", mirror::mirror_of<mirror::BvhSkip<float>>(scene, tree));
-    call("bvh_skip_padded", mirror::mirror_of<mirror::BvhSkipPadded<float>>(scene, tree));
-    call("bvh_ordered", mirror::mirror_of<mirror::BvhOrdered<float>>(scene, tree));
-    call("bvh_parent", mirror::mirror_of<mirror::BvhParent<float>>(scene, tree));
-    call("bvh_stack", mirror::mirror_of<mirror::BvhStack<float>>(scene, tree));
+    call("bvh_skip", mirror::mirror_of<mirror::walks::bvh_skip<float>>(scene, tree));
+    call("bvh_skip_padded", mirror::mirror_of<mirror::walks::bvh_skip_padded<float>>(scene, tree));
+    call("bvh_ordered", mirror::mirror_of<mirror::walks::bvh_ordered<float>>(scene, tree));
+    call("bvh_parent", mirror::mirror_of<mirror::walks::bvh_parent<float>>(scene, tree));
+    call("bvh_stack", mirror::mirror_of<mirror::walks::bvh_stack<float>>(scene, tree));
 }
 
 // How the walks' hits agree with those of the loop over every triangle.
@@ -39,7 +39,7 @@ struct Agreement {
 inline Agreement agreement_of(const Scene& scene, const Bvh& bvh, std::span<const Ray> rays,
                               int rounds = whole_walk) {
     const mirror::SceneBuffers buffers(scene);
-    const mirror::BvhBuffers packed(bvh, scene.corners);
+    const PackedStructure packed = pack(bvh, scene.corners);
     const std::vector<Hit> expected = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
     Agreement agreement{count_hits(expected), ""};
     for_each_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {

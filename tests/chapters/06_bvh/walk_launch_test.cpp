@@ -61,10 +61,10 @@ std::string faults_of_launches(Mirror mirror, std::span<const Ray> rays, int rou
         auto walk = mirror.start_walk(own);
         while (!walk.ended) {
             const auto before = walk;
-            mirror.observe_from(mirror::uvec4(0U));
+            mirror.observer = {};
             walk = mirror.go_on(walk, own, -mirror.farthest, rounds);
-            const mirror::uvec4 done = mirror.observations();
-            if (done.x + done.y > static_cast<unsigned>(rounds)) {
+            const mirror::Counter done = mirror.observer;
+            if (done.visits + done.tests > static_cast<unsigned>(rounds)) {
                 return "more work than rounds";
             }
             if (!walk.ended && walk.place == before.place) {
@@ -98,7 +98,7 @@ TEST_CASE("a launch of a BVH walk keeps to its rounds and comes farther", "[06]"
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 400));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::BvhBuffers packed(build_bvh(scene.corners, with_long_leaves()), scene.corners);
+    const PackedStructure packed = pack(build_bvh(scene.corners, with_long_leaves()), scene.corners);
     for (const RayFamily& family : ray_families(numbers, scene.corners, 100)) {
         for_each_counted_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
             for (const int rounds : {1, 2, 7}) {
@@ -136,7 +136,7 @@ TEST_CASE("a BVH walk that takes any hit stops where there is one and only there
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 200));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::BvhBuffers packed(build_bvh(scene.corners, {}), scene.corners);
+    const PackedStructure packed = pack(build_bvh(scene.corners, {}), scene.corners);
     const std::vector<Ray> rays = segments(numbers, scene.corners, 2000);
     const std::vector<Hit> nearest = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
     CHECK(count_hits(nearest) > 500);
@@ -147,12 +147,12 @@ TEST_CASE("a BVH walk that takes any hit stops where there is one and only there
         unsigned tests_for_nearest = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const auto own = mirror::to_mirror<Mirror>(rays[i]);
-            mirror.observe_from(mirror::uvec4(0U));
+            mirror.observer = {};
             const Hit any = mirror::from_mirror(mirror.any_hit(own));
-            tests_for_any += mirror.observations().y;
-            mirror.observe_from(mirror::uvec4(0U));
+            tests_for_any += mirror.observer.tests;
+            mirror.observer = {};
             static_cast<void>(mirror.closest_hit(own));
-            tests_for_nearest += mirror.observations().y;
+            tests_for_nearest += mirror.observer.tests;
             const bool on_ray = any.t >= nearest[i].t && any.t <= rays[i].t_max;
             wrong += (any.triangle < 0) != (nearest[i].triangle < 0) || !on_ray ? 1 : 0;
         }
@@ -166,7 +166,7 @@ TEST_CASE("rays that are nonsense end in every BVH walk", "[06]") {
     RandomNumbers numbers(45);
     const Scene scene = scene_of(random_triangles(numbers, 100));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::BvhBuffers packed(build_bvh(scene.corners, {}), scene.corners);
+    const PackedStructure packed = pack(build_bvh(scene.corners, {}), scene.corners);
     const std::vector<Ray> rays = nonsense_rays();
     for_each_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
         CAPTURE(name);

@@ -124,14 +124,14 @@ TEST_CASE("near branches first spare a BVH walk most of its steps", "[06]") {
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 2000));
     const mirror::SceneBuffers buffers(scene);
-    const mirror::BvhBuffers packed(build_bvh(scene.corners, {}), scene.corners);
+    const PackedStructure packed = pack(build_bvh(scene.corners, {}), scene.corners);
     std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 1000);
     std::map<std::string, unsigned> steps;
     for_each_counted_walk(buffers, packed, [&](const std::string& name, auto mirror) {
         for (const Ray& ray : rays) {
             static_cast<void>(mirror.closest_hit(mirror::to_mirror<decltype(mirror)>(ray)));
         }
-        steps[name] = mirror.observations().x;
+        steps[name] = mirror.observer.visits;
     });
     CAPTURE(steps["bvh_skip"], steps["bvh_ordered"]);
     CHECK(3 * steps["bvh_ordered"] < 2 * steps["bvh_skip"]);

@@ -5,7 +5,7 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 #include "reference/exact.h"
 #include "render/trace_rays.h"
 #include "scene/shapes.h"
@@ -15,24 +15,6 @@
 #include <map>
 
 using namespace raysteps;
-
-namespace raysteps::mirror {
-
-template <class Real>
-struct EveryTrianglePluecker {
-#define TRIANGLE_PART "triangle/pluecker.glsl"
-#define STRUCTURE_PART "structure/every_triangle.glsl"
-#include "mirror/parts.inc"
-};
-
-template <class Real>
-struct EveryTriangleFallback {
-#define TRIANGLE_PART "triangle/watertight_fallback.glsl"
-#define STRUCTURE_PART "structure/every_triangle.glsl"
-#include "mirror/parts.inc"
-};
-
-} // namespace raysteps::mirror
 
 namespace {
 
@@ -111,11 +93,11 @@ TEST_CASE("new triangle tests give the same bits in GLSL and in C++", "[08][tria
         CAPTURE(family.name);
         const std::vector<Hit> pluecker =
             hits_with(*subject, {{"triangle", "triangle/pluecker.glsl"}}, family.rays);
-        CHECK(count_unlike_mirror<mirror::EveryTrianglePluecker<float>>(subject->scene, family.rays,
+        CHECK(count_unlike_mirror<mirror::triangle_tests::pluecker<float>>(subject->scene, family.rays,
                                                                         pluecker) == 0);
         const std::vector<Hit> fallback = hits_with(
             *subject, {{"triangle", "triangle/watertight_fallback.glsl"}}, family.rays);
-        CHECK(count_unlike_mirror<mirror::EveryTriangleFallback<float>>(subject->scene, family.rays,
+        CHECK(count_unlike_mirror<mirror::triangle_tests::watertight_fallback<float>>(subject->scene, family.rays,
                                                                         fallback) == 0);
     }
 }

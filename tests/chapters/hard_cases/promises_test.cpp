@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "gpu/shaders.h"
-#include "hard_cases/mirror_methods.h"
+#include "mirror/trace_by_mirror.h"
 #include "hard_cases/trials.h"
 
 #include <set>

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "mirror/every_triangle.h"
+#include "mirror/walks.h"
 #include "mirror/whitted.h"
 #include "replayed.h"
 #include "scene/load_scene.h"
@@ -17,7 +17,7 @@ TEST_CASE("a path has the rays that the mirror asks for to shade the pixel", "[r
     const Scene scene = load_scene("mirrors", 1.0f);
     const Replayed replayed(scene, "bvh_ordered", reach_of(scene.camera.eye, scene.corners));
     const View view = view_of(scene.camera, 1.0);
-    auto mirror = mirror::mirror_of<mirror::EveryTriangleWatertight<float>>(replayed.buffers);
+    auto mirror = mirror::mirror_of<mirror::walks::every_triangle<float>>(replayed.buffers);
     int bounces = 0;
     int blocked = 0;
     for (int row = 2; row < 32; row += 5) {

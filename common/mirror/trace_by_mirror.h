@@ -19,12 +19,11 @@ using TraceByMirror = std::vector<Hit> (*)(const mirror::SceneBuffers& scene,
                                            const PackedStructure& structure,
                                            std::span<const Ray> rays);
 
-// By the name of the structure, each with the watertight test. A test sees to it that there is one
-// for every part of shaders/structure that the project has.
+// Every walk of shaders/structure, with the watertight test.
 const std::map<std::string, TraceByMirror>& mirror_walks();
 
-// By the name of the triangle test, each in a loop over every triangle, which needs no structure.
-// Those that end in `_double` compute in double precision.
+// Every test of shaders/triangle, in a loop over every triangle, which needs no structure. Two are
+// there in double precision as well: they end in `_double`.
 const std::map<std::string, TraceByMirror>& mirror_triangle_tests();
 
 } // namespace raysteps
