@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "basics/file.h"
+#include "basics/text.h"
 #include "state_fields.h"
 #include "visualizer/replay/sentence.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <type_traits>
@@ -102,9 +102,7 @@ void check(const State& state) {
 
 // More digits than a picture can show would only make the page slow.
 double six_digits(float value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", static_cast<double>(value));
-    return std::strtod(text, nullptr);
+    return std::strtod(formatted("%.6g", static_cast<double>(value)).c_str(), nullptr);
 }
 
 Json point(const glm::vec3& place) {

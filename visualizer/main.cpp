@@ -5,7 +5,6 @@
 #include "pointing.h"
 #include "request.h"
 
-#include <cstdio>
 #include <iostream>
 #include <new>
 

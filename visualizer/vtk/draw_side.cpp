@@ -1,5 +1,6 @@
 #include "draw.h"
 
+#include "basics/text.h"
 #include "paint.h"
 #include "structure/bvh/bvh_split.h"
 #include "visualizer/cell_choice.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace raysteps::view {
 
@@ -172,9 +172,7 @@ std::string levels_text(const Stage& stage, const State& state,
 
 // With few enough digits not to run into the next column.
 std::string narrow_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, value > 0.0 && value < 0.001 ? "%.1e" : "%.3g", value);
-    return text;
+    return formatted(value > 0.0 && value < 0.001 ? "%.1e" : "%.3g", value);
 }
 
 void write_row(vtkRenderer& renderer, const Area& table, int row,

@@ -1,6 +1,7 @@
 #include "visualizer/request.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "drawing.h"
 #include "export.h"
 #include "visualizer/json_files.h"
@@ -16,7 +17,6 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include <cctype>
-#include <cstdio>
 #include <functional>
 #include <iostream>
 
@@ -287,9 +287,7 @@ void animate(Drawing& drawing, vtkRenderWindow& window, const Request& request,
     const int steps = step_count(stage, state);
     for (state.step = 0; state.step < steps; ++state.step) {
         drawing.draw(stage, state);
-        char name[32];
-        std::snprintf(name, sizeof name, "step_%04d.png", state.step + 1);
-        write_screenshot(window, request.animation / name);
+        write_screenshot(window, request.animation / formatted("step_%04d.png", state.step + 1));
     }
     std::cout << "wrote     " << steps << " pictures to " << request.animation.string() << "\n";
 }
