@@ -9,7 +9,7 @@ namespace raysteps::view {
 
 namespace {
 
-constexpr std::size_t easily_seen = 600; // boxes
+constexpr std::size_t easily_seen = 600; // boxes that can be told apart
 
 std::vector<int> cells_visited(const Pane& pane, const State& state) {
     const RecordedWalk* walk = walk_in(pane, state);
@@ -39,9 +39,9 @@ bool is_of_walk(CellFilter filter) {
 
 Levels levels_of(const Pane& pane, const State& state) {
     const int deepest = pane.cells.deepest;
-    Levels levels{std::clamp(state.lowest_level, 0, deepest), deepest};
-    if (state.highest_level >= 0) {
-        levels.highest = std::clamp(state.highest_level, levels.lowest, deepest);
+    Levels levels{std::clamp(state.levels.lowest, 0, deepest), deepest};
+    if (state.levels.highest >= 0) {
+        levels.highest = std::clamp(state.levels.highest, levels.lowest, deepest);
         return levels;
     }
     if (is_of_walk(state.filter)) {
@@ -105,69 +105,6 @@ std::vector<int> visits_of(const Pane& pane, const State& state) {
     return visits;
 }
 
-std::vector<double> color_values(const Pane& pane, const State& state,
-                                 const std::vector<int>& cells) {
-    const bool by_visits = state.color == CellColor::visits;
-    const std::vector<int> visits = by_visits ? visits_of(pane, state) : std::vector<int>{};
-    std::vector<double> values;
-    values.reserve(cells.size());
-    for (const int number : cells) {
-        const auto place = static_cast<std::size_t>(number);
-        const Cell& cell = pane.cells.cells[place];
-        switch (state.color) {
-        case CellColor::depth:
-            values.push_back(cell.depth);
-            break;
-        case CellColor::triangles:
-            values.push_back(cell.triangles);
-            break;
-        case CellColor::cost:
-            values.push_back(cell.cost);
-            break;
-        case CellColor::visits:
-            values.push_back(visits.empty() ? 0.0 : visits[place]);
-            break;
-        }
-    }
-    return values;
-}
-
-ValueRange color_range(const Stage& stage, const State& state) {
-    std::vector<double> values{};
-    for (const std::unique_ptr<Pane>& pane : stage.panes()) {
-        if (state.color == CellColor::depth) {
-            values.insert(values.end(), {0.0, static_cast<double>(pane->cells.deepest)});
-            continue;
-        }
-        const std::vector<double> own =
-            color_values(*pane, state, choose_cells(*pane, state).cells);
-        values.insert(values.end(), own.begin(), own.end());
-    }
-    if (values.empty()) {
-        return {};
-    }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return *least < *most ? ValueRange{*least, *most} : ValueRange{*least, *least + 1.0};
-}
-
-std::string color_title(CellColor color) {
-    switch (color) {
-    case CellColor::depth:
-        return "depth in the tree";
-    case CellColor::triangles:
-        return "triangles in the cell";
-    case CellColor::cost:
-        return "expected cost";
-    case CellColor::visits:
-        break;
-    }
-    return "visits by this ray";
-}
-
-double area_of(const Cell& cell) {
-    return surface_area(cell.box);
-}
-
 std::vector<int> sorted_cells(const Pane& pane, const State& state) {
     const std::vector<Cell>& cells = pane.cells.cells;
     std::vector<int> order(cells.size());
@@ -182,7 +119,7 @@ std::vector<int> sorted_cells(const Pane& pane, const State& state) {
         case SortBy::count:
             return static_cast<double>(cell.triangles);
         case SortBy::area:
-            return area_of(cell);
+            return surface_area(cell.box);
         case SortBy::cost:
             break;
         }

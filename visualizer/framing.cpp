@@ -17,7 +17,7 @@ namespace {
 
 constexpr float angle = 30.0f;
 
-// From where the ray is seen from the side, a little from above and a little from behind.
+// The direction from which the ray is seen from the side, a little from above and from behind.
 glm::dvec3 direction_beside(const glm::dvec3& ray, const glm::dvec3& upwards) {
     const glm::dvec3 along = glm::normalize(ray);
     glm::dvec3 aside = glm::cross(along, upwards);
@@ -27,19 +27,20 @@ glm::dvec3 direction_beside(const glm::dvec3& ray, const glm::dvec3& upwards) {
     return glm::normalize(glm::normalize(aside) - 0.35 * along + 0.35 * upwards);
 }
 
-// The part of a pane's half height and half width that the scene may fill; above it stands a title.
+// The fraction of a pane's half width and half height that the scene may fill; a title stands
+// above.
 constexpr double room = 0.94;
 constexpr double room_above = 0.80;
 
-// How far a camera must stand back, and how far aside, along one axis of its picture.
+// How far back and how far aside a camera must stand, along one axis of its picture.
 struct Stand {
     double back = 0.0;
     double aside = 0.0;
 };
 
-// Tangents are those of the angles to the lower and the upper end of the picture. A corner at
-// `along` the axis and `before` the middle is seen if along - aside <= (back - before) upper, and
-// aside - along <= (back - before) lower: the greatest bounds are made equal.
+// `lower` and `upper` are the tangents of the angles to the two ends of the picture. A corner at
+// `along` the axis and `before` the middle is visible if along - aside <= (back - before) upper and
+// aside - along <= (back - before) lower: both hold with equality for the outermost corners.
 Stand stand_of(std::span<const glm::dvec2> along_and_before, double lower, double upper) {
     double to_upper = std::numeric_limits<double>::lowest();
     double to_lower = std::numeric_limits<double>::lowest();

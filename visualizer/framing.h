@@ -4,15 +4,15 @@
 
 namespace raysteps::view {
 
-// A camera that sees the whole scene, as large as it fits below a title; where there is a ray, from
-// the side.
+// A camera that sees the whole scene, as large as fits below a title; from the side of the ray, if
+// there is one.
 Camera frame_stage(const Stage& stage, double aspect_ratio);
 
-// The same camera, moved near to the state's step: its box fills a third of the picture. The one
-// given where there is no step.
+// The camera moved close to the state's step, whose box then fills a third of the picture;
+// unchanged where there is no step.
 Camera fly_to_step(const Stage& stage, const State& state, const Camera& from);
 
-// The largest side of what is seen; never 0.
+// The longest side of the box; never 0.
 float size_of(const Box& bounds);
 
 } // namespace raysteps::view

@@ -1,13 +1,14 @@
 #include "keys.h"
 
 #include "cell_choice.h"
+#include "framing.h"
 #include "layout.h"
-#include "state_words.h"
+#include "visualizer/replay/sentence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace raysteps::view {
 
@@ -18,7 +19,7 @@ int current_step(const State& state, const Stage& stage) {
     return state.step < 0 ? last : std::min(state.step, last);
 }
 
-// Where the walks part at different steps, the same key again jumps to the other one.
+// Where the walks part at different steps, pressing the key again jumps to the other step.
 State at_parting(State state, const Stage& stage) {
     const auto parting = parting_of(stage, state);
     if (!parting) {
@@ -42,13 +43,13 @@ State with_next_ray(State state, const Stage& stage) {
 State with_levels(State state, const Stage& stage, int lower, int upper) {
     const Levels levels = levels_of(*stage.panes().front(), state);
     const int deepest = stage.panes().front()->cells.deepest;
-    state.lowest_level = std::clamp(levels.lowest + lower, 0, deepest);
-    state.highest_level = std::clamp(levels.highest + upper, state.lowest_level, deepest);
+    state.levels.lowest = std::clamp(levels.lowest + lower, 0, deepest);
+    state.levels.highest = std::clamp(levels.highest + upper, state.levels.lowest, deepest);
     return state;
 }
 
-// Across the axis through the middle of the scene; the same key again turns it round, and then
-// takes it away.
+// A plane across the axis through the middle of the scene; pressing the key again flips it, and a
+// third time removes it.
 State with_clip(State state, const Stage& stage, int axis) {
     glm::vec3 normal(0.0f);
     normal[axis] = 1.0f;
@@ -72,109 +73,248 @@ State with_clip_moved(State state, const Stage& stage, float parts) {
     return state;
 }
 
-State with_opacity(State state, double more) {
-    state.opacity = std::clamp(state.opacity + more, 0.0, 1.0);
+State with_frame(State state, const Stage&) {
+    state.viewpoint.reset();
     return state;
 }
 
-using After = std::function<State(State, const Stage&)>;
+State with_flight(State state, const Stage& stage) {
+    if (state.viewpoint) {
+        state.viewpoint = fly_to_step(stage, state, *state.viewpoint);
+    }
+    return state;
+}
 
-const std::map<std::string, After>& key_table() {
-    static const After next = [](State s, const Stage& stage) {
-        return with_step(s, stage, current_step(s, stage) + 1);
+std::string text_of(bool is_on) {
+    return is_on ? "on" : "off";
+}
+
+std::string text_of(int number) {
+    return std::to_string(number);
+}
+
+std::string text_of(double number) {
+    return short_number(number);
+}
+
+template <class Choice>
+std::string text_of(Choice choice) {
+    return word_of(choice);
+}
+
+std::string clip_text(const State& state) {
+    if (!state.clip) {
+        return "off";
+    }
+    const glm::vec3& n = state.clip->normal;
+    return short_number(static_cast<double>(n.x)) + "," + short_number(static_cast<double>(n.y)) +
+           "," + short_number(static_cast<double>(n.z));
+}
+
+std::string step_text(const State& state) {
+    return state.step < 0 ? "last" : std::to_string(state.step + 1);
+}
+
+using After = std::function<State(State, const Stage&)>;
+using Text = std::function<std::string(const State&)>;
+
+// A key by its name in X11, and what it does: to the state, or to the window.
+struct Key {
+    std::string name;
+    After after{};
+    WindowAction action = WindowAction::none;
+
+    Key(std::string key, After then) : name(std::move(key)), after(std::move(then)) {}
+    Key(std::string key, WindowAction what) : name(std::move(key)), action(what) {}
+};
+
+// A line of the help sheet with its keys, and the current value of what they change.
+struct KeyLine {
+    std::string shown;
+    std::string meaning;
+    std::vector<Key> keys{};
+    Text value{};
+};
+
+struct KeySection {
+    std::string title;
+    std::vector<KeyLine> lines;
+};
+
+After to_step(int step) {
+    return [=](State s, const Stage& stage) { return with_step(std::move(s), stage, step); };
+}
+
+After by_steps(int more) {
+    return [=](State s, const Stage& stage) {
+        return with_step(s, stage, current_step(s, stage) + more);
     };
-    static const After previous = [](State s, const Stage& stage) {
-        return with_step(s, stage, current_step(s, stage) - 1);
+}
+
+After by_levels(int lower, int upper) {
+    return
+        [=](State s, const Stage& stage) { return with_levels(std::move(s), stage, lower, upper); };
+}
+
+After by_opacity(double more) {
+    return [=](State s, const Stage&) {
+        s.opacity = std::clamp(s.opacity + more, 0.0, 1.0);
+        return s;
     };
-    static const auto style = [](ModelStyle model) {
-        return [model](State s, const Stage&) {
-            s.model = model;
-            return s;
-        };
+}
+
+After clip_across(int axis) {
+    return [=](State s, const Stage& stage) { return with_clip(std::move(s), stage, axis); };
+}
+
+After by_clip(float parts) {
+    return [=](State s, const Stage& stage) { return with_clip_moved(std::move(s), stage, parts); };
+}
+
+After by_rows(int more) {
+    return [=](State s, const Stage& stage) { return with_row(std::move(s), stage, more); };
+}
+
+template <class Value>
+After set(Value State::*member, Value value) {
+    return [=](State s, const Stage&) {
+        s.*member = value;
+        return s;
     };
-    static const auto clip = [](int axis) {
-        return [axis](State s, const Stage& stage) { return with_clip(std::move(s), stage, axis); };
+}
+
+After turn(bool State::*member) {
+    return [=](State s, const Stage&) {
+        s.*member = !(s.*member);
+        return s;
     };
-    static const auto levels = [](int lower, int upper) {
-        return [=](State s, const Stage& stage) {
-            return with_levels(std::move(s), stage, lower, upper);
-        };
+}
+
+template <class Choice>
+After next_choice(Choice State::*member) {
+    return [=](State s, const Stage&) {
+        s.*member = next_of(s.*member);
+        return s;
     };
-    static const std::map<std::string, After> all{
-        {"n", next},
-        {"Right", next},
-        {"p", previous},
-        {"Left", previous},
-        {"Home", [](State s, const Stage& stage) { return with_step(std::move(s), stage, 0); }},
-        {"End",
-         [](State s, const Stage&) {
-             s.step = last_step;
-             return s;
-         }},
-        {"d", at_parting},
-        {"Tab", with_next_ray},
-        {"w", style(ModelStyle::wireframe)},
-        {"s", style(ModelStyle::solid)},
-        {"t", style(ModelStyle::transparent)},
-        {"o", style(ModelStyle::hidden)},
-        {"v",
-         [](State s, const Stage&) {
-             s.filter = next_of(filter_words(), s.filter);
-             return s;
-         }},
-        {"c",
-         [](State s, const Stage&) {
-             s.color = next_of(color_words(), s.color);
-             return s;
-         }},
-        {"plus", [](State s, const Stage&) { return with_opacity(std::move(s), 0.05); }},
-        {"equal", [](State s, const Stage&) { return with_opacity(std::move(s), 0.05); }},
-        {"minus", [](State s, const Stage&) { return with_opacity(std::move(s), -0.05); }},
-        {"bracketleft", levels(0, -1)},
-        {"bracketright", levels(0, 1)},
-        {"braceleft", levels(-1, 0)},
-        {"braceright", levels(1, 0)},
-        {"x", clip(0)},
-        {"y", clip(1)},
-        {"z", clip(2)},
-        {"comma",
-         [](State s, const Stage& stage) { return with_clip_moved(std::move(s), stage, -0.05f); }},
-        {"period",
-         [](State s, const Stage& stage) { return with_clip_moved(std::move(s), stage, 0.05f); }},
-        {"i",
-         [](State s, const Stage&) {
-             s.heat_map = next_of(heat_map_words(), s.heat_map);
-             return s;
-         }},
-        {"b",
-         [](State s, const Stage&) {
-             s.table = !s.table;
-             return s;
-         }},
-        {"j",
-         [](State s, const Stage&) {
-             s.sort_by = next_of(sort_words(), s.sort_by);
-             s.first_row = 0;
-             return s;
-         }},
-        {"Down", [](State s, const Stage& stage) { return with_row(std::move(s), stage, 1); }},
-        {"Up", [](State s, const Stage& stage) { return with_row(std::move(s), stage, -1); }},
-        {"Next", [](State s, const Stage& stage) { return with_row(std::move(s), stage, 20); }},
-        {"Prior", [](State s, const Stage& stage) { return with_row(std::move(s), stage, -20); }},
-        {"h",
-         [](State s, const Stage&) {
-             s.help = !s.help;
-             return s;
-         }},
-    };
-    return all;
+}
+
+template <class Value>
+Text now(Value State::*member) {
+    return [=](const State& s) { return text_of(s.*member); };
+}
+
+State with_next_order(State state, const Stage&) {
+    state.sort_by = next_of(state.sort_by);
+    state.first_row = 0;
+    return state;
+}
+
+const std::vector<KeySection>& key_table() {
+    using A = WindowAction;
+    static const std::vector<KeySection> table{
+        {"STEPS",
+         {{"N  Right", "next step", {{"n", by_steps(1)}, {"Right", by_steps(1)}}, step_text},
+          {"P  Left", "previous step", {{"p", by_steps(-1)}, {"Left", by_steps(-1)}}},
+          {"Home  End",
+           "first, last",
+           {{"Home", to_step(0)}, {"End", set(&State::step, last_step)}}},
+          {"Space", "play", {{"space", A::play}}},
+          {"D", "where two walks part", {{"d", at_parting}}},
+          {"Tab", "next ray", {{"Tab", with_next_ray}}, now(&State::path_ray)},
+          {"click", "ray to that point, or of that pixel of a heat map"}}},
+        {"CELLS",
+         {{"V", "which ones", {{"v", next_choice(&State::filter)}}, now(&State::filter)},
+          {"C", "color by", {{"c", next_choice(&State::color)}}, now(&State::color)},
+          {"[  ]",
+           "highest level",
+           {{"bracketleft", by_levels(0, -1)}, {"bracketright", by_levels(0, 1)}}},
+          {"{  }",
+           "lowest level",
+           {{"braceleft", by_levels(-1, 0)}, {"braceright", by_levels(1, 0)}},
+           [](const State& s) { return std::to_string(s.levels.lowest); }},
+          {"+  -",
+           "opacity",
+           {{"plus", by_opacity(0.05)}, {"equal", by_opacity(0.05)}, {"minus", by_opacity(-0.05)}},
+           now(&State::opacity)},
+          {"X  Y  Z",
+           "clipping plane",
+           {{"x", clip_across(0)}, {"y", clip_across(1)}, {"z", clip_across(2)}},
+           clip_text},
+          {",  .", "move it", {{"comma", by_clip(-0.05f)}, {"period", by_clip(0.05f)}}},
+          {"B", "table of cells", {{"b", turn(&State::table)}}, now(&State::table)},
+          {"J  Up  Down",
+           "sort, select",
+           {{"j", with_next_order},
+            {"Up", by_rows(-1)},
+            {"Down", by_rows(1)},
+            {"Prior", by_rows(-20)},
+            {"Next", by_rows(20)}},
+           now(&State::sort_by)},
+          {"Shift+click", "select a cell"}}},
+        {"VIEW",
+         {{"mouse", "orbit, move (middle), zoom (right, wheel)"},
+          {"R  F", "all of it, fly to the step", {{"r", with_frame}, {"f", with_flight}}},
+          {"W  S  T  O",
+           "model",
+           {{"w", set(&State::model, ModelStyle::wireframe)},
+            {"s", set(&State::model, ModelStyle::solid)},
+            {"t", set(&State::model, ModelStyle::transparent)},
+            {"o", set(&State::model, ModelStyle::hidden)}},
+           now(&State::model)},
+          {"I", "heat map", {{"i", next_choice(&State::heat_map)}}, now(&State::heat_map)},
+          {"F12  K", "save picture, state", {{"F12", A::save_picture}, {"k", A::save_state}}},
+          {"H  Q",
+           "this sheet, quit",
+           {{"h", turn(&State::help)}, {"q", A::quit}, {"e", A::quit}}}}}};
+    return table;
+}
+
+const Key* find_key(const std::string& name) {
+    for (const KeySection& section : key_table()) {
+        for (const KeyLine& line : section.lines) {
+            for (const Key& key : line.keys) {
+                if (key.name == name) {
+                    return &key;
+                }
+            }
+        }
+    }
+    return nullptr;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+}
+
+std::string line_text(const KeyLine& line, const State& state) {
+    const std::string text = " " + padded(line.shown, 14);
+    return line.value ? text + padded(line.meaning, 21) + "now " + line.value(state)
+                      : text + line.meaning;
 }
 
 } // namespace
 
-State after_key(const State& state, const Stage& stage, const std::string& key) {
-    const auto place = key_table().find(key);
-    return place == key_table().end() ? state : place->second(state, stage);
+State after_key(const State& state, const Stage& stage, const std::string& name) {
+    const Key* const key = find_key(name);
+    return key && key->after ? key->after(state, stage) : state;
+}
+
+WindowAction window_action(const std::string& name) {
+    const Key* const key = find_key(name);
+    return key ? key->action : WindowAction::none;
+}
+
+std::string help_text(const State& state) {
+    std::string text;
+    for (const KeySection& section : key_table()) {
+        text += (text.empty() ? " " : "\n ") + section.title + "\n";
+        for (const KeyLine& line : section.lines) {
+            text += line_text(line, state) + " \n";
+        }
+    }
+    text.pop_back();
+    return text;
 }
 
 State with_step(State state, const Stage& stage, int step) {

@@ -18,7 +18,7 @@ Area slider_in_side(const Area& side, int y) {
 
 Layout layout_of(const State& state, std::size_t pane_count) {
     const int panes = std::max(static_cast<int>(pane_count), 1);
-    // A sentence, and the line of the shader, for each walk; a slider above.
+    // A slider, and below it a sentence and a line of the shader for each walk.
     const int bottom_height = 2 * margin + slider_height + 2 * line_height * panes +
                               (panes > 1 ? line_height : 0) + (has_note(state) ? line_height : 0);
     Layout layout;
@@ -59,7 +59,7 @@ int table_rows(const Layout& layout) {
 }
 
 Area picture_area(const Area& area, const glm::ivec2& picture) {
-    // The title stands above, the histogram beside or below.
+    // The title stands above, the histogram to the right.
     const int room_x = std::max(area.width - 2 * margin - 190, 1);
     const int room_y = std::max(area.height - 2 * margin - 20, 1);
     const double scale =

@@ -20,16 +20,16 @@ inline bool holds(const Area& area, const glm::ivec2& place) {
            place.y < area.y + area.height;
 }
 
-// Where everything stands in the window.
+// Where everything is in the window.
 struct Layout {
     std::vector<Area> panes;     // the structures in space, side by side
-    std::vector<Area> heat_maps; // below them, as many, where there are heat maps
+    std::vector<Area> heat_maps; // one below each pane; empty without heat maps
     Area side;                   // legend, facts or table
-    Area bottom;                 // the steps in words
+    Area bottom;                 // the steps, in sentences
     Area step_slider;
     Area level_slider;
     Area opacity_slider;
-    Area table; // its head and rows; without a table, of no size
+    Area table; // header and rows; of size 0 without a table
 };
 
 inline constexpr int row_height = 20; // of the table
@@ -37,13 +37,13 @@ inline constexpr int margin = 14;
 
 Layout layout_of(const State& state, std::size_t pane_count);
 
-// Whether the ray is one of a hard case, which has a line at the bottom that says why.
+// Whether the ray comes from a hard case: then a line at the bottom says why it was chosen.
 bool has_note(const State& state);
 
-// Rows of the table that are seen, the head not counted.
+// How many rows of the table are visible, not counting its header.
 int table_rows(const Layout& layout);
 
-// The picture of a heat map in its area: as large as it fits, in whole, at the area's middle.
+// Where the picture of a heat map goes in its area: as large as fits, centred vertically.
 Area picture_area(const Area& area, const glm::ivec2& picture);
 
 } // namespace raysteps::view

@@ -1,13 +1,10 @@
 // The visualizer: what a structure looks like, and how a ray walks through it.
 #include "basics/error.h"
+#include "json_files.h"
 #include "keys.h"
 #include "pointing.h"
 #include "request.h"
-#include "show_view.h"
-#include "stage.h"
-#include "state_file.h"
 
-#include <cstdio>
 #include <iostream>
 #include <new>
 
@@ -59,9 +56,9 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         return fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::machine_lacks, "memory is short. Take a smaller scene.");
+        return fail(ExitCode::machine_lacks, "out of memory. Use a smaller scene.");
     } catch (const std::exception& error) {
-        return fail(ExitCode::machine_lacks, std::string("something failed that should not: ") +
-                                                 error.what() + ". This is a fault of Raysteps.");
+        return fail(ExitCode::machine_lacks, std::string("Internal error: ") + error.what() +
+                                                 ". This is a bug in Raysteps; please report it.");
     }
 }

@@ -1,9 +1,9 @@
 #include "pointing.h"
 
-#include "scene/view.h"
 #include "cell_choice.h"
 #include "keys.h"
-#include "state_words.h"
+#include "scene/view.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ State with_level_at(State state, const Stage& stage, double part) {
     const int level = std::min(static_cast<int>(part * (deepest + 1)), deepest);
     const Levels levels = levels_of(*stage.panes().front(), state);
     const bool lower = std::abs(level - levels.lowest) < std::abs(level - levels.highest);
-    state.lowest_level = lower ? level : std::min(levels.lowest, level);
-    state.highest_level = lower ? levels.highest : level;
+    state.levels.lowest = lower ? level : std::min(levels.lowest, level);
+    state.levels.highest = lower ? levels.highest : level;
     return state;
 }
 
@@ -32,10 +32,11 @@ State after_table_click(State state, const Stage& stage, const Layout& layout,
                         const glm::ivec2& place) {
     const int row = (layout.table.y + layout.table.height - 1 - place.y) / row_height;
     if (row == 0) {
-        const int column = std::clamp(5 * (place.x - layout.table.x - margin) /
+        const int columns = static_cast<int>(words_of(state.sort_by).size());
+        const int column = std::clamp(columns * (place.x - layout.table.x - margin) /
                                           std::max(layout.table.width - 2 * margin, 1),
-                                      0, 4);
-        const SortBy sort_by = sort_words()[static_cast<std::size_t>(column)].second;
+                                      0, columns - 1);
+        const auto sort_by = static_cast<SortBy>(column);
         state.descending = sort_by == state.sort_by ? !state.descending : true;
         state.sort_by = sort_by;
         state.first_row = 0;
@@ -61,7 +62,7 @@ std::optional<Ray> ray_through(const State& state, const Stage& stage, const Cam
     return std::nullopt;
 }
 
-// The t at which the ray enters the box; nothing where it misses it.
+// The t at which the ray enters the box; nothing if it misses.
 std::optional<double> entry_of(const Ray& ray, const Box& box) {
     double entry = 0.0;
     double exit = 1e300;
@@ -163,9 +164,9 @@ int cell_under(const State& state, const Stage& stage, const Camera& viewpoint,
     const Pane& pane = *stage.panes().front();
     for (const int number : choose_cells(pane, state).cells) {
         const Cell& cell = pane.cells.cells[static_cast<std::size_t>(number)];
-        if (entry_of(*ray, cell.box) && (found == no_cell || area_of(cell) < least)) {
+        if (entry_of(*ray, cell.box) && (found == no_cell || surface_area(cell.box) < least)) {
             found = number;
-            least = area_of(cell);
+            least = surface_area(cell.box);
         }
     }
     return found;

@@ -7,17 +7,17 @@
 
 namespace raysteps::view {
 
-// The state after a click, or a drag to there, with the left button: on a slider, the table or a
-// heat map. The same state where there is nothing to click on.
+// The state after a click at that place, or a drag to it, with the left button: on a slider, the
+// table or a heat map. The same state where there is nothing to click on.
 State after_click(const State& state, const Stage& stage, const glm::ivec2& place);
 
-// Whether a drag from there moves a slider, and not the camera.
+// Whether a drag from that place moves a slider instead of the camera.
 bool is_on_panel(const State& state, const Stage& stage, const glm::ivec2& place);
 
-// The state with that cell marked, in space and in the table, which is moved to its row.
+// The state with that cell marked in space and in the table, which scrolls to its row.
 State with_selected(const State& state, const Stage& stage, int cell);
 
-// The state after the camera's ray to a point of the model was asked for.
+// The state with the camera's ray to that point of the model.
 State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point);
 
 // Where the ray from the viewpoint through that place of a pane meets the model; nothing where it
@@ -25,8 +25,8 @@ State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point
 std::optional<glm::vec3> point_under(const State& state, const Stage& stage,
                                      const Camera& viewpoint, const glm::ivec2& place);
 
-// The smallest of the cells that are drawn, and that the ray from the viewpoint through that place
-// meets; no_cell where there is none.
+// The smallest drawn cell that the ray from the viewpoint through that place meets; no_cell where
+// there is none.
 int cell_under(const State& state, const Stage& stage, const Camera& viewpoint,
                const glm::ivec2& place);
 

@@ -1,177 +1,261 @@
 #include "request.h"
 
 #include "basics/error.h"
-#include "hard_cases/hard_cases.h"
-#include "scene/camera_text.h"
 #include "basics/text.h"
-#include "visualizer/replay/walk_recorder.h"
+#include "hard_cases/hard_cases.h"
+#include "json_files.h"
+#include "scene/camera_text.h"
+#include "state_fields.h"
 #include "structure/structure.h"
-#include "option_values.h"
-#include "state_file.h"
+#include "visualizer/replay/sentence.h"
+#include "visualizer/replay/walk_recorder.h"
 
 #include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 
 namespace raysteps::view {
 
 namespace {
 
-// Options as they were written.
+// The text of each option that was given.
+using Given = std::map<std::string, std::string>;
+using Names = std::vector<std::string>; // of structures
+
+// read() is what a field's option means, for each type of field: the text becomes the new value.
+// What the text leaves open stays as it was before.
+
 struct Written {
-    std::string scene;
-    std::string hard_case;
-    std::string state_file;
-    std::vector<std::string> structures;
-    std::string walk;
-    std::string pixel;
-    std::string ray;
-    std::string step;
-    std::string camera;
-    std::string size;
-    std::string viewpoint;
-    std::string window;
-    std::string model;
-    std::string filter;
-    std::string color;
-    std::string levels;
-    std::string clip;
-    std::string heat_map;
-    std::string table;
-    double opacity = -1.0;
-    int path_ray = -1;
-    int bounces = -1;
-    int most_cells = -1;
-    int selected = -1;
-    int hard_ray = -1;
-    bool help_sheet = false;
+    std::string option;
+    std::string text;
 };
 
-// `--structure kd --walk ropes` is kd_ropes.
-std::vector<std::string> structures_of(const Written& words) {
-    std::vector<std::string> structures;
-    for (const std::string& text : words.structures) {
-        for (const std::string& name : split_words(text, ',')) {
-            structures.push_back(name);
+[[noreturn]] void refuse(const Written& written, const std::string& what) {
+    throw InputError(written.option + " " + written.text + ": " + what);
+}
+
+int whole_number(const Written& written, const std::string& text, int lowest) {
+    const auto number = parse_number<int>(text);
+    if (!number || *number < lowest) {
+        refuse(written, "give a whole number from " + std::to_string(lowest) + " on.");
+    }
+    return *number;
+}
+
+std::string read(const Written& written, const std::string&) {
+    return written.text;
+}
+
+bool read(const Written&, bool) {
+    return true;
+}
+
+int read(const Written& written, int) {
+    return whole_number(written, written.text, 0);
+}
+
+double read(const Written& written, double) {
+    const auto number = parse_number<double>(written.text);
+    if (!number || !(*number >= 0.0 && *number <= 1.0)) {
+        refuse(written, "give a number from 0 to 1.");
+    }
+    return *number;
+}
+
+// CLI11 has already refused any other word.
+template <class Choice>
+requires std::is_enum_v<Choice> Choice read(const Written& written, Choice before) {
+    const Words words = words_of(before);
+    return static_cast<Choice>(std::find(words.begin(), words.end(), written.text) - words.begin());
+}
+
+glm::ivec2 read(const Written& written, const glm::ivec2&) {
+    const PictureSize size = parse_size(written.text);
+    return {size.width, size.height};
+}
+
+std::optional<glm::ivec2> read(const Written& written, const std::optional<glm::ivec2>&) {
+    const std::vector<std::string> words = split_words(written.text, ',');
+    const auto x = parse_number<int>(words.front());
+    const auto y = parse_number<int>(words.back());
+    if (words.size() != 2 || !x || !y) {
+        refuse(written, "give a column and a row, as in 256,200; 0,0 is at the top left.");
+    }
+    return glm::ivec2(*x, *y);
+}
+
+std::optional<Camera> read(const Written& written, const std::optional<Camera>& before) {
+    return parse_camera(written.text, before.value_or(Camera{}));
+}
+
+std::optional<Ray> read(const Written& written, const std::optional<Ray>&) {
+    const std::vector<float> n = parse_numbers(written.text).value_or(std::vector<float>{});
+    if (n.size() != 6 && n.size() != 8) {
+        refuse(written, "give six numbers, the origin x,y,z and the direction x,y,z, or eight, "
+                        "with t_min and t_max.");
+    }
+    Ray ray{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, 0.0f, std::numeric_limits<float>::max()};
+    if (n.size() == 8) {
+        ray.t_min = n[6];
+        ray.t_max = n[7];
+    }
+    if (ray.direction == glm::vec3(0.0f)) {
+        refuse(written, "the direction is 0,0,0. Give it a length.");
+    }
+    return ray;
+}
+
+std::optional<ClipPlane> read(const Written& written, const std::optional<ClipPlane>&) {
+    const std::vector<float> n = parse_numbers(written.text).value_or(std::vector<float>{});
+    if (n.size() != 6) {
+        refuse(written, "give six numbers, a point x,y,z of the plane and its normal x,y,z.");
+    }
+    const glm::vec3 normal(n[3], n[4], n[5]);
+    if (normal == glm::vec3(0.0f)) {
+        refuse(written, "the normal is 0,0,0. Give it a length.");
+    }
+    return ClipPlane{{n[0], n[1], n[2]}, glm::normalize(normal)};
+}
+
+Levels read(const Written& written, const Levels&) {
+    const std::vector<std::string> words = split_words(written.text, '-');
+    if (words.size() > 2) {
+        refuse(written, "give a level, as in 3, or two, as in 2-5.");
+    }
+    const Levels levels{whole_number(written, words.front(), 0),
+                        whole_number(written, words.back(), 0)};
+    if (levels.highest < levels.lowest) {
+        refuse(written, "the first level is the lower one. Swap them.");
+    }
+    return levels;
+}
+
+Names read(const Written& written, const Names&) {
+    return split_words(written.text, ',');
+}
+
+// Each builder option has its own name on the command line.
+std::map<std::string, std::string> read(const Written&,
+                                        const std::map<std::string, std::string>& before) {
+    return before;
+}
+
+// The default of a field in --help; empty where there is none to show.
+template <class Value>
+std::string default_text(const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+        return word_of(value);
+    } else {
+        return "";
+    }
+}
+
+std::string default_text(const std::string& value) {
+    return value;
+}
+
+std::string default_text(const Names& names) {
+    return names.front();
+}
+
+// Without --table there is no table.
+std::string default_text(SortBy) {
+    return "";
+}
+
+std::string default_text(int number) {
+    return number > 0 ? std::to_string(number) : "";
+}
+
+std::string default_text(double number) {
+    return short_number(number);
+}
+
+std::string default_text(const glm::ivec2& size) {
+    return std::to_string(size.x) + "x" + std::to_string(size.y);
+}
+
+template <class Value>
+void add_option(CLI::App& app, const Field& field, const Value& initial, std::string& text) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        app.add_flag(field.option, field.meaning);
+        return;
+    } else {
+        CLI::Option& option = *app.add_option(field.option, text, field.meaning);
+        option.type_name(std::is_same_v<Value, int>      ? "INT"
+                         : std::is_same_v<Value, double> ? "FLOAT"
+                                                         : "TEXT");
+        option.default_str(default_text(initial));
+        if constexpr (std::is_enum_v<Value>) {
+            option.check(CLI::IsMember(words_of(initial)));
+        }
+        if constexpr (std::is_same_v<Value, Names>) {
+            option.join(',');
         }
     }
-    if (words.walk.empty()) {
-        return structures;
+}
+
+void add_options(CLI::App& app, Given& given, Request& request) {
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    const State initial;
+    visit_fields([&](const Field& field, auto member) {
+        if (!field.option.empty()) {
+            add_option(app, field, initial.*member, given[field.option]);
+        }
+    });
+    app.add_option("--walk", given["--walk"],
+                   "the walk of --structure kd, bvh or grid: restart, skip, mailbox, ...");
+    app.add_option("--step", given["--step"],
+                   "the step to show, counted from 1; last (the default); or parting, the step "
+                   "at which two walks part");
+    app.add_option("--state", given["--state"], "start from a saved state");
+    app.add_option("--save-state", request.save_to, "write the state to this file (.json)");
+    app.add_option("--screenshot", request.screenshot,
+                   "write a picture instead of opening a window");
+    app.add_option("--animate", request.animation, "write a picture of each step to this folder");
+    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf, .vtkjs or .json")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    for (const auto& [name, option] : all_build_options()) {
+        app.add_option("--" + name, request.state.build_values[name], option.meaning);
     }
+}
+
+// Every option has a place for its text; this keeps only those that were given.
+void forget_others(const CLI::App& app, Given& texts, const std::string& dashes) {
+    std::erase_if(texts, [&](const auto& text) { return app.count(dashes + text.first) == 0; });
+}
+
+// `--structure kd --walk ropes` is kd_ropes.
+std::string structure_with_walk(const Names& structures, const std::string& walk) {
     if (structures.size() > 1) {
-        throw InputError("--walk " + words.walk +
+        throw InputError("--walk " + walk +
                          ": it goes with one --structure. Name walks in full instead, as in "
                          "--structure kd_restart,kd_ropes.");
     }
     const std::string family =
         structures.empty() ? "" : family_of(split_words(structures.front(), ':').front()).name;
-    const std::vector<std::string> known = recorded_structures();
-    for (const std::string& name : {words.walk, family + "_" + words.walk}) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) {
-            return {name};
-        }
-    }
     std::string names;
-    for (const std::string& name : known) {
-        if (family.empty() || name.starts_with(family)) {
+    for (const std::string& name : recorded_structures()) {
+        if (name == walk || name == family + "_" + walk) {
+            return name;
+        }
+        if (name.starts_with(family)) {
             names += (names.empty() ? "" : ", ") + name;
         }
     }
-    throw InputError("--walk " + words.walk + ": there is no such walk. Take one of " + names +
-                     ".");
+    throw InputError("--walk " + walk + ": there is no such walk. Take one of " + names + ".");
 }
 
-void add_options(CLI::App& app, Written& words, Request& request) {
-    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("SCENE", words.scene, "an .obj or .toml file, or a sample scene (bunny)");
-    app.add_option("--hard-case", words.hard_case,
-                   "instead of a scene: the hard case of that name, as in K3, with the ray that "
-                   "breaks a usual method");
-    app.add_option("--hard-ray", words.hard_ray, "another one of its rays, from 0");
-    app.add_option("--structure", words.structures,
-                   "what is shown; several, between commas, side by side; with options of its own "
-                   "as in bvh_ordered:split=median (bvh_ordered)")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--walk", words.walk, "with --structure kd: restart, backtrack, ...");
-    app.add_option("--pixel", words.pixel, "the ray of this pixel: column,row from the top left");
-    app.add_option("--ray", words.ray, "this ray: ox,oy,oz,dx,dy,dz, and perhaps t_min,t_max");
-    app.add_option("--bounces", words.bounces, "mirror rays behind a pixel, at most (4)");
-    app.add_option("--path-ray", words.path_ray,
-                   "which ray behind the pixel to step through; 0 is the camera's");
-    app.add_option("--step", words.step,
-                   "the step to show, from 1, or last, or parting: where two walks part (last)");
-    app.add_option("--camera", words.camera, "of the picture, as in all chapters");
-    app.add_option("--size", words.size, "of the picture in pixels (512x512)");
-    app.add_option("--viewpoint", words.viewpoint, "from where to look, like --camera");
-    app.add_option("--window-size", words.window, "in pixels (1280x800)");
-    app.add_option("--model", words.model, list_of(model_words()));
-    app.add_option("--show", words.filter, "cells: " + list_of(filter_words()));
-    app.add_option("--color", words.color, "of cells, by " + list_of(color_words()));
-    app.add_option("--levels", words.levels, "of the tree, as in 3 or 2-5");
-    app.add_option("--opacity", words.opacity, "of the faces of cells, 0 to 1 (0.12)");
-    app.add_option("--most-cells", words.most_cells, "to draw (20000)");
-    app.add_option("--clip", words.clip, "a plane: a point x,y,z and a normal x,y,z");
-    app.add_option("--heat-map", words.heat_map, "of the picture: " + list_of(heat_map_words()));
-    app.add_option("--table", words.table, "of cells, sorted by " + list_of(sort_words()));
-    app.add_option("--select", words.selected, "mark the cell of this number");
-    app.add_flag("--help-sheet", words.help_sheet, "show the keys and their values");
-    app.add_option("--state", words.state_file, "begin with a state that was saved");
-    app.add_option("--save-state", request.save_to, "write the state to this file (.json)");
-    app.add_option("--screenshot", request.screenshot, "write a picture, and open no window");
-    app.add_option("--animate", request.animation, "write a picture of each step to this folder");
-    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf, .vtkjs or .json")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    for (const auto& [name, option] : all_build_options()) {
-        app.add_option_function<std::string>(
-            "--" + name,
-            [&request, key = name](const std::string& value) {
-                request.state.build_values[key] = value;
-            },
-            option.meaning);
+void refuse_contradictions(const Given& given) {
+    if (given.contains("--hard-case") && given.contains("SCENE")) {
+        throw InputError("--hard-case " + given.at("--hard-case") + " and the scene " +
+                         given.at("SCENE") + " both say what to show. Leave one out.");
     }
-}
-
-void take_what_to_see(State& state, const Written& words) {
-    if (!words.scene.empty()) {
-        state.scene = words.scene;
-        state.hard_case.clear();
-    }
-    if (!words.hard_case.empty()) {
-        if (!words.scene.empty()) {
-            throw InputError("--hard-case " + words.hard_case + " and the scene " + words.scene +
-                             " both say what to show. Leave one out.");
-        }
-        state.hard_case = find_hard_case(words.hard_case).name;
-    }
-    if (words.hard_ray >= 0) {
-        state.hard_ray = words.hard_ray;
-    }
-    if (!words.structures.empty() || !words.walk.empty()) {
-        state.structures = structures_of(words);
-    }
-    if (!words.size.empty()) {
-        const PictureSize size = parse_size(words.size);
-        state.picture = {size.width, size.height};
-    }
-    if (!words.camera.empty()) {
-        state.camera = parse_camera(words.camera, state.camera.value_or(Camera{}));
-    }
-    if (!words.pixel.empty() && !words.ray.empty()) {
+    if (given.contains("--pixel") && given.contains("--ray")) {
         throw InputError("--pixel and --ray both name the ray. Leave one out.");
-    }
-    if (!words.pixel.empty()) {
-        state.pixel = read_pixel(words.pixel);
-        state.ray.reset();
-    }
-    if (!words.ray.empty()) {
-        state.ray = read_ray(words.ray);
-        state.pixel.reset();
-    }
-    if (words.bounces >= 0) {
-        state.bounces = words.bounces;
-    }
-    if (words.path_ray >= 0) {
-        state.path_ray = words.path_ray;
     }
 }
 
@@ -180,58 +264,50 @@ bool has_grids_only(const State& state) {
                        [](const std::string& name) { return name.starts_with("grid"); });
 }
 
-void take_how_it_is_drawn(State& state, const Written& words) {
-    const bool new_ray = !words.pixel.empty() || !words.ray.empty() || !words.hard_case.empty();
-    if (!words.filter.empty()) {
-        state.filter = choose("show", words.filter, filter_words());
-    } else if (new_ray) {
+State with_options(State state, const Given& given) {
+    if (given.contains("--viewpoint")) {
+        state.viewpoint.reset(); // a new one is upright, however the saved one was turned
+    }
+    visit_fields([&](const Field& field, auto member) {
+        if (const auto option = given.find(field.option); option != given.end()) {
+            state.*member = read({field.option, option->second}, state.*member);
+        }
+    });
+    if (given.contains("--walk")) {
+        const bool named = given.contains("--structure");
+        state.structures = {
+            structure_with_walk(named ? state.structures : Names{}, given.at("--walk"))};
+    }
+    if (given.contains("SCENE")) {
+        state.hard_case.clear();
+    }
+    if (given.contains("--hard-case")) {
+        state.hard_case = find_hard_case(state.hard_case).name;
+    }
+    if (given.contains("--pixel")) {
+        state.ray.reset();
+    }
+    if (given.contains("--ray")) {
+        state.pixel.reset();
+    }
+    const bool new_ray =
+        given.contains("--pixel") || given.contains("--ray") || given.contains("--hard-case");
+    if (new_ray && !given.contains("--show")) {
         state.filter = CellFilter::visited;
     }
-    if (!words.model.empty()) {
-        state.model = choose("model", words.model, model_words());
-    }
-    if (!words.color.empty()) {
-        state.color = choose("color", words.color, color_words());
-    } else if (has_grids_only(state)) {
+    const bool new_structures = given.contains("--structure") || given.contains("--walk");
+    if (new_structures && has_grids_only(state) && !given.contains("--color")) {
         state.color = CellColor::triangles; // all cells have one depth
     }
-    if (!words.levels.empty()) {
-        const Levels levels = read_levels(words.levels);
-        state.lowest_level = levels.lowest;
-        state.highest_level = levels.highest;
-    }
-    if (words.opacity >= 0.0) {
-        state.opacity = std::min(words.opacity, 1.0);
-    }
-    if (words.most_cells >= 0) {
-        state.most_cells = words.most_cells;
-    }
-    if (!words.clip.empty()) {
-        state.clip = read_clip(words.clip);
-    }
-    if (!words.heat_map.empty()) {
-        state.heat_map = choose("heat-map", words.heat_map, heat_map_words());
-    }
-    if (!words.table.empty()) {
-        state.sort_by = choose("table", words.table, sort_words());
+    if (given.contains("--table")) {
         state.table = true;
         state.descending = state.sort_by != SortBy::id && state.sort_by != SortBy::depth;
     }
-    if (words.selected >= 0) {
-        state.selected = words.selected;
+    if (given.contains("--window-size") && (state.window.x < 320 || state.window.y < 240)) {
+        refuse({"--window-size", given.at("--window-size")},
+               "too small to read anything. Take 320x240 at least.");
     }
-    state.help = state.help || words.help_sheet;
-    if (!words.viewpoint.empty()) {
-        state.viewpoint = parse_camera(words.viewpoint, Camera{});
-    }
-    if (!words.window.empty()) {
-        const PictureSize size = parse_size(words.window);
-        if (size.width < 320 || size.height < 240) {
-            throw InputError("--window-size " + words.window +
-                             ": nothing could be read there. Take 320x240 at least.");
-        }
-        state.window = {size.width, size.height};
-    }
+    return state;
 }
 
 void take_step(Request& request, const std::string& text) {
@@ -239,8 +315,8 @@ void take_step(Request& request, const std::string& text) {
         request.to_parting = true;
     } else if (text == "last") {
         request.state.step = last_step;
-    } else if (!text.empty()) {
-        request.state.step = whole_number("step", text, 1) - 1;
+    } else {
+        request.state.step = whole_number({"--step", text}, text, 1) - 1;
     }
 }
 
@@ -248,9 +324,9 @@ void take_step(Request& request, const std::string& text) {
 
 Request read_request(int argc, char** argv) {
     CLI::App app("Shows the cells of a structure and, step by step, how a ray walks through them.");
-    Written words;
+    Given given;
     Request request;
-    add_options(app, words, request);
+    add_options(app, given, request);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -259,20 +335,22 @@ Request read_request(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         throw InputError(std::string(error.what()) + ". See --help for the options.");
     }
-    if (!words.state_file.empty()) {
-        const std::map<std::string, std::string> values = request.state.build_values;
-        request.state = read_state(words.state_file);
-        for (const auto& [name, value] : values) {
-            request.state.build_values[name] = value;
-        }
+    forget_others(app, given, "");
+    forget_others(app, request.state.build_values, "--");
+    refuse_contradictions(given);
+    if (given.contains("--state")) {
+        std::map<std::string, std::string> values = std::move(request.state.build_values);
+        request.state = read_state(given["--state"]);
+        values.merge(request.state.build_values); // those of the command line come first
+        request.state.build_values = std::move(values);
     }
-    take_what_to_see(request.state, words);
-    take_how_it_is_drawn(request.state, words);
-    take_step(request, words.step);
+    request.state = with_options(std::move(request.state), given);
+    if (given.contains("--step")) {
+        take_step(request, given["--step"]);
+    }
     if (request.to_parting && request.state.structures.size() < 2) {
-        throw InputError(
-            "--step parting: one walk alone parts from none. Name two structures, as in "
-            "--structure bvh_ordered,bvh_skip.");
+        throw InputError("--step parting: it takes two walks to part. Name two structures, as in "
+                         "--structure bvh_ordered,bvh_skip.");
     }
     return request;
 }

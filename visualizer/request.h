@@ -1,6 +1,6 @@
 #pragma once
 
-#include "state.h"
+#include "stage.h"
 
 #include <filesystem>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace raysteps::view {
 
-// What a person asks of the visualizer.
+// What the command line asks for.
 struct Request {
     State state;
     std::filesystem::path screenshot;           // a picture to write instead of opening a window
@@ -16,10 +16,15 @@ struct Request {
     std::vector<std::filesystem::path> exports; // .vtp, .vtm, .gltf, .vtkjs or .json
     std::filesystem::path save_to;              // a file for the state
     bool to_parting = false;                    // --step parting
-    std::string help;                           // what --help prints, where it was asked for
+    std::string help;                           // what --help prints; empty without it
 };
 
 // Reads the command line. Throws InputError where it makes no sense.
 Request read_request(int argc, char** argv);
+
+// Writes the pictures and files of the request, or opens a window. The stage shows the request's
+// state. Defined in vtk/, or in absent/ where VTK is missing. Throws MachineError where the machine
+// cannot draw.
+void show_view(const Request& request, Stage& stage);
 
 } // namespace raysteps::view

@@ -2,13 +2,11 @@
 
 #include "basics/error.h"
 #include "hard_cases/hard_cases.h"
-#include "basics/text.h"
+#include "mirror/walks.h"
 #include "scene/load_scene.h"
 #include "scene/view.h"
-#include "structure/structure.h"
 #include "structure/padding.h"
-#include "hard_ray.h"
-#include "structure_name.h"
+#include "visualizer/replay/sentence.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,12 +15,85 @@ namespace raysteps::view {
 
 namespace {
 
-bool same_camera(const std::optional<Camera>& a, const std::optional<Camera>& b) {
-    if (!a || !b) {
-        return !a && !b;
+// A case may have very many rays with very long walks: then only the first ones are tried.
+constexpr std::size_t most_tests = 20'000'000;
+constexpr std::size_t most_recorded = 3'000'000; // steps and tests of all walks together
+
+std::string answer_text(int triangle) {
+    return triangle == no_triangle ? "no hit" : "triangle " + std::to_string(triangle);
+}
+
+// The hit that the walk would end with if it did not check where the hit lies.
+std::optional<Hit> first_hit_taken(const RecordedWalk& walk) {
+    for (const Step& step : walk.steps) {
+        for (const TriangleTest& test : tests_of(walk, step)) {
+            if (test.best && step.cell != no_cell && step.face >= 0 && test.hit.t > step.exit) {
+                return test.hit;
+            }
+        }
     }
-    return a->eye == b->eye && a->target == b->target && a->up == b->up &&
-           a->vertical_field_of_view == b->vertical_field_of_view;
+    return std::nullopt;
+}
+
+// A walk that takes a hit for the answer, though the hit lies beyond the cell where it is found.
+std::optional<HardRay> breaks_first_hit(std::span<const Ray> rays, const WalkRecorder& recorder) {
+    std::size_t recorded = 0;
+    for (std::size_t i = 0; i < rays.size() && recorded < most_recorded; ++i) {
+        const RecordedWalk walk = recorder.record(rays[i], Question::nearest);
+        recorded += walk.steps.size() + walk.tests.size();
+        const auto taken = first_hit_taken(walk);
+        if (taken && taken->triangle != walk.hit.triangle) {
+            return HardRay{i,
+                           "a walk that takes the first hit it finds, beyond the cell, answers " +
+                               answer_text(taken->triangle) + " instead of " +
+                               answer_text(walk.hit.triangle)};
+        }
+    }
+    return std::nullopt;
+}
+
+// The triangle test by Moeller and Trumbore, where that is not too much work.
+std::optional<HardRay> breaks_triangle_test(std::span<const Ray> rays,
+                                            const mirror::SceneBuffers& scene,
+                                            const WalkRecorder& recorder) {
+    using Mirror = mirror::triangle_tests::moeller_trumbore<float>;
+    auto mirror = mirror::mirror_of<Mirror>(scene);
+    const std::size_t triangles = std::max<std::size_t>(scene.corners.size() / 3, 1);
+    const std::size_t count = std::min(rays.size(), most_tests / triangles);
+    std::size_t recorded = 0;
+    for (std::size_t i = 0; i < count && recorded < most_recorded; ++i) {
+        const RecordedWalk walk = recorder.record(rays[i], Question::nearest);
+        recorded += walk.steps.size() + walk.tests.size();
+        const int right = walk.hit.triangle;
+        const int usual = mirror.closest_hit(mirror::to_mirror<Mirror>(rays[i])).triangle;
+        if (right != usual) {
+            return HardRay{i, "the test by Moeller and Trumbore answers " + answer_text(usual) +
+                                  " instead of " + answer_text(right)};
+        }
+    }
+    return std::nullopt;
+}
+
+// The first ray that breaks a usual method; else the first that hits anything, else the first.
+HardRay choose_hard_ray(std::span<const Ray> rays, const mirror::SceneBuffers& scene,
+                        const WalkRecorder& recorder) {
+    if (const auto found = breaks_first_hit(rays, recorder)) {
+        return *found;
+    }
+    if (const auto found = breaks_triangle_test(rays, scene, recorder)) {
+        return *found;
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (recorder.record(rays[i], Question::nearest).hit.triangle != no_triangle) {
+            return {i, "one of the rays that are aimed at it"};
+        }
+    }
+    return {0, "one of the rays that are aimed at it, and miss"};
+}
+
+bool same_camera(const Camera& a, const Camera& b) {
+    return a.eye == b.eye && a.target == b.target && a.up == b.up &&
+           a.vertical_field_of_view == b.vertical_field_of_view;
 }
 
 bool same_ray(const std::optional<Ray>& a, const std::optional<Ray>& b) {
@@ -33,8 +104,12 @@ bool same_ray(const std::optional<Ray>& a, const std::optional<Ray>& b) {
            a->t_max == b->t_max;
 }
 
-float aspect_ratio(const State& state) {
-    return static_cast<float>(state.picture.x) / static_cast<float>(state.picture.y);
+float aspect_ratio(const glm::ivec2& picture) {
+    return static_cast<float>(picture.x) / static_cast<float>(picture.y);
+}
+
+View view_of(const Camera& camera, const glm::ivec2& picture) {
+    return raysteps::view_of(camera, static_cast<double>(aspect_ratio(picture)));
 }
 
 std::string pixel_text(const glm::ivec2& pixel) {
@@ -43,79 +118,74 @@ std::string pixel_text(const glm::ivec2& pixel) {
 
 } // namespace
 
-void Stage::load(const State& state) {
-    Scene scene;
-    hard_rays_.clear();
-    hard_values_.clear();
-    if (state.hard_case.empty()) {
-        say_("loading " + state.scene);
-        scene = load_scene(state.scene, aspect_ratio(state));
-    } else {
-        const HardCase& hard_case = find_hard_case(state.hard_case);
-        say_("making " + hard_case.name);
-        HardScene made = hard_case.make({});
-        scene = scene_of(hard_case, made, aspect_ratio(state));
-        hard_rays_ = std::move(made.rays);
-        hard_values_ = std::move(made.build_values);
-    }
-    scene_ = std::move(scene);
-    bounds_ = bounds_of(scene_.corners);
-    panes_.clear();
-    buffers_ = std::make_unique<mirror::SceneBuffers>(scene_);
+bool Stage::PathSource::operator==(const PathSource& other) const {
+    return same_ray(ray, other.ray) && bounces == other.bounces;
 }
 
-void Stage::build(const State& state) {
-    check_build_values(state.build_values, [&] {
-        std::vector<std::string> names;
-        for (const std::string& text : state.structures) {
-            names.push_back(read_structure_name(text).structure);
-        }
-        return names;
-    }());
-    std::vector<std::unique_ptr<Pane>> panes;
-    for (const std::string& text : state.structures) {
-        const StructureName name = read_structure_name(text);
-        auto pane = std::make_unique<Pane>();
-        pane->label = text;
-        pane->structure = name.structure;
-        pane->recorder = make_recorder(name.structure, {*buffers_, pane->built.packed});
-        const StructureFamily family = family_of(name.structure);
-        std::map<std::string, std::string> values = values_for(name, state);
-        if (const auto hard = hard_values_.find(family.name); hard != hard_values_.end()) {
-            values.insert(hard->second.begin(), hard->second.end());
-        }
-        say_("building " + text);
-        pane->built = family.build(scene_.corners, {.reach = reach_, .values = values});
-        pane->cells = cells_of(pane->built.packed, costs_of(family, values));
-        panes.push_back(std::move(pane));
-    }
-    panes_ = std::move(panes);
+bool Stage::CountSource::operator==(const CountSource& other) const {
+    return same_camera(camera, other.camera) && picture == other.picture;
 }
 
-void Stage::record(const State& state) {
-    for (const std::unique_ptr<Pane>& pane : panes_) {
-        pane->path.clear();
-        if (ray_) {
-            pane->path = record_path({scene_, *buffers_, pane->recorder}, *ray_, state.bounces);
-        }
+void Stage::show(const State& state) {
+    load({state.scene, state.hard_case, aspect_ratio(state.picture)});
+    camera_ = state.camera.value_or(scene_.camera);
+    const std::optional<Ray> ray = ray_of(state);
+    build({state.structures, state.build_values, reach_with(ray)});
+    note_.clear();
+    ray_ = ray ? ray : hard_ray(state); // chosen by its walks, so the structures come first
+    record({ray_, state.bounces});
+    if (state.heat_map != HeatMap::none) {
+        count({camera_, state.picture});
     }
 }
 
-void Stage::count(const State& state) {
-    if (state.heat_map == HeatMap::none) {
+void Stage::load(const SceneSource& source) {
+    if (loaded_ == source) {
         return;
     }
-    const View seen = view_of(camera_, static_cast<double>(aspect_ratio(state)));
-    for (const std::unique_ptr<Pane>& pane : panes_) {
-        if (pane->counted.empty()) {
-            say_("tracing every pixel through " + pane->label);
-            pane->counted =
-                pane->recorder.count(pixel_rays(seen, state.picture.x, state.picture.y));
-        }
+    Scene scene;
+    HardScene hard;
+    if (source.hard_case.empty()) {
+        say_("loading " + source.scene);
+        scene = load_scene(source.scene, source.aspect_ratio);
+    } else {
+        const HardCase& hard_case = find_hard_case(source.hard_case);
+        say_("making " + hard_case.name);
+        hard = hard_case.make({});
+        scene = scene_of(hard_case, hard, source.aspect_ratio);
     }
+    panes_.clear(); // they read the buffers
+    built_.reset();
+    scene_ = std::move(scene);
+    bounds_ = bounds_of(scene_.corners);
+    buffers_ = std::make_unique<mirror::SceneBuffers>(scene_);
+    hard_rays_ = std::move(hard.rays);
+    hard_values_ = std::move(hard.build_values);
+    loaded_ = source;
 }
 
-std::optional<Ray> Stage::ray_asked_for(const State& state) const {
+// Structures hold for rays from within their reach: when a ray starts farther out, they are built
+// again, and then serve the nearer ones as well.
+float Stage::reach_with(const std::optional<Ray>& ray) const {
+    const float built = built_ ? built_->reach : 0.0f;
+    const float rays =
+        ray ? reach_of(ray->origin, scene_.corners) : reach_of(hard_rays_, scene_.corners);
+    return std::max({built, reach_of(camera_.eye, scene_.corners), rays});
+}
+
+void Stage::build(const StructureSource& source) {
+    if (built_ == source) {
+        return;
+    }
+    panes_ =
+        build_panes(source.structures,
+                    {scene_, *buffers_, source.reach, source.build_values, hard_values_}, say_);
+    most_telling_.reset();
+    recorded_.reset();
+    built_ = source;
+}
+
+std::optional<Ray> Stage::ray_of(const State& state) const {
     if (!state.pixel) {
         return state.ray;
     }
@@ -124,99 +194,55 @@ std::optional<Ray> Stage::ray_asked_for(const State& state) const {
         throw InputError("--pixel " + pixel_text(pixel) + ": the picture has the pixels 0,0 to " +
                          pixel_text(state.picture - 1) + ". Take one of them, or another --size.");
     }
-    return pixel_ray(view_of(camera_, static_cast<double>(aspect_ratio(state))), state.picture.x,
-                     state.picture.y, pixel.x, pixel.y);
+    return pixel_ray(view_of(camera_, state.picture), state.picture.x, state.picture.y, pixel.x,
+                     pixel.y);
 }
 
-// The structures stand, so that it can be seen what a ray does in them.
 std::optional<Ray> Stage::hard_ray(const State& state) {
     if (hard_rays_.empty()) {
         return std::nullopt;
     }
     if (state.hard_ray >= static_cast<int>(hard_rays_.size())) {
         throw InputError("--hard-ray " + std::to_string(state.hard_ray) + ": the case has " +
-                         std::to_string(hard_rays_.size()) + " rays. Take one from 0 on.");
+                         std::to_string(hard_rays_.size()) + " rays. Take one from 0 to " +
+                         std::to_string(hard_rays_.size() - 1) + ".");
     }
-    HardRay chosen{static_cast<std::size_t>(std::max(state.hard_ray, 0)), "as asked for"};
-    if (state.hard_ray < 0) {
-        chosen = choose_hard_ray(hard_rays_, *buffers_, panes_.front()->recorder);
+    if (state.hard_ray < 0 && !most_telling_) {
+        most_telling_ = choose_hard_ray(hard_rays_, *buffers_, panes_.front()->recorder);
     }
+    const HardRay chosen = state.hard_ray < 0
+                               ? *most_telling_
+                               : HardRay{static_cast<std::size_t>(state.hard_ray), "as asked for"};
     const HardCase& hard_case = find_hard_case(state.hard_case);
     note_ = hard_case.name + ", " + hard_case.title + ". Ray " + std::to_string(chosen.number) +
             ": " + chosen.why + ".";
     return hard_rays_[chosen.number];
 }
 
-void Stage::show(const State& state) {
-    if (state.structures.empty()) {
-        throw InputError("--structure: no structure is named. Name one.");
+void Stage::record(const PathSource& source) {
+    if (recorded_ == source) {
+        return;
     }
-    // Where something goes wrong on the way, the next state is shown from the beginning.
-    const std::optional<State> before = std::exchange(shown_, std::nullopt);
-    const bool new_picture = !before || before->picture != state.picture;
-    const bool new_scene = !before || before->scene != state.scene ||
-                           before->hard_case != state.hard_case ||
-                           (new_picture && aspect_ratio(*before) != aspect_ratio(state));
-    if (new_scene) {
-        load(state);
-    }
-    const bool new_camera = new_scene || !same_camera(before->camera, state.camera);
-    if (new_camera) {
-        camera_ = state.camera.value_or(scene_.camera);
-    }
-    std::optional<Ray> ray = ray_asked_for(state);
-    // A structure holds for rays from within its reach; farther out, it is built anew.
-    float reach = std::max(new_scene ? 0.0f : reach_, reach_of(camera_.eye, scene_.corners));
-    if (ray) {
-        reach = std::max(reach, reach_of(ray->origin, scene_.corners));
-    } else {
-        reach = std::max(reach, reach_of(hard_rays_, scene_.corners));
-    }
-    const bool new_structures = new_scene || reach > reach_ ||
-                                before->structures != state.structures ||
-                                before->build_values != state.build_values;
-    reach_ = reach;
-    if (new_structures) {
-        build(state);
-    }
-    const bool same_hard_ray = before && !new_structures && !before->pixel && !before->ray &&
-                               before->hard_ray == state.hard_ray;
-    if (ray) {
-        note_.clear();
-    } else if (same_hard_ray) {
-        ray = ray_; // to choose it takes long
-    } else {
-        note_.clear();
-        ray = hard_ray(state);
-    }
-    const bool new_ray = !same_ray(ray, ray_) || (before && before->bounces != state.bounces);
-    ray_ = ray;
-    if (new_structures || new_ray) {
-        record(state);
-    }
-    if (new_camera || new_picture) {
-        for (const std::unique_ptr<Pane>& pane : panes_) {
-            pane->counted.clear();
+    for (const std::unique_ptr<Pane>& pane : panes_) {
+        pane->path.clear();
+        if (source.ray) {
+            pane->path =
+                record_path({scene_, *buffers_, pane->recorder}, *source.ray, source.bounces);
         }
     }
-    shown_ = state;
-    count(state);
+    recorded_ = source;
 }
 
-const RecordedWalk* walk_in(const Pane& pane, const State& state) {
-    if (pane.path.empty()) {
-        return nullptr;
+void Stage::count(const CountSource& source) {
+    for (const std::unique_ptr<Pane>& pane : panes_) {
+        if (counted_ == source && !pane->counted.empty()) {
+            continue;
+        }
+        say_("tracing every pixel through " + pane->label);
+        pane->counted = pane->recorder.count(
+            pixel_rays(view_of(source.camera, source.picture), source.picture.x, source.picture.y));
     }
-    const int last = static_cast<int>(pane.path.size()) - 1;
-    return &pane.path[static_cast<std::size_t>(std::clamp(state.path_ray, 0, last))].walk;
-}
-
-std::size_t step_in(const RecordedWalk& walk, const State& state) {
-    if (walk.steps.empty()) {
-        return 0;
-    }
-    const std::size_t last = walk.steps.size() - 1;
-    return state.step < 0 ? last : std::min(static_cast<std::size_t>(state.step), last);
+    counted_ = source;
 }
 
 int step_count(const Stage& stage, const State& state) {

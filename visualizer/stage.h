@@ -1,78 +1,97 @@
 #pragma once
 
-#include "hard_cases/hard_case.h"
+#include "pane.h"
 #include "visualizer/replay/parting.h"
-#include "visualizer/replay/recorded_path.h"
-#include "visualizer/replay/structure_cells.h"
-#include "visualizer/replay/walk_recorder.h"
-#include "scene/scene.h"
-#include "structure/structure.h"
-#include "state.h"
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raysteps::view {
 
-// A structure of the state, built, with the walks of the state's ray.
-struct Pane {
-    std::string label; // as the state names it
-    std::string structure;
-    BuiltStructure built;
-    StructureCells cells;
-    WalkRecorder recorder;
-    std::vector<PathRay> path;      // empty where no ray is asked for
-    std::vector<WalkCount> counted; // of each pixel, where there is a heat map
+// One of a hard case's rays, and which usual method it breaks, in words.
+struct HardRay {
+    std::size_t number = 0;
+    std::string why;
 };
 
-// What a state shows: scene, structures, walks. Loading and building take long, so a stage does
-// only what the change of the state asks for.
+// What a state shows: scene, structures, walks. Loading and building take long, so each of them
+// remembers what it was made from, and a stage does again only what the state changes.
 class Stage {
 public:
-    // Called with what is about to be done: "building bvh_ordered".
-    using Say = std::function<void(const std::string&)>;
-
     explicit Stage(Say say = [](const std::string&) {}) : say_(std::move(say)) {}
 
-    // Throws InputError where the state asks for what there is not.
+    // Throws InputError where the state asks for something that does not exist.
     void show(const State& state);
 
     const Scene& scene() const { return scene_; }
     const std::vector<std::unique_ptr<Pane>>& panes() const { return panes_; }
     const Camera& camera() const { return camera_; }  // of the traced picture
     const Box& bounds() const { return bounds_; }     // of the scene
-    std::optional<Ray> ray() const { return ray_; }   // that is asked for
-    const std::string& note() const { return note_; } // what makes the ray worth a look, or nothing
+    std::optional<Ray> ray() const { return ray_; }   // of the state
+    const std::string& note() const { return note_; } // why the ray is worth a look; may be empty
 
 private:
-    void load(const State& state);
-    std::optional<Ray> ray_asked_for(const State& state) const;
+    struct SceneSource {
+        std::string scene;
+        std::string hard_case;
+        float aspect_ratio;
+
+        bool operator==(const SceneSource&) const = default;
+    };
+
+    struct StructureSource {
+        std::vector<std::string> structures;
+        std::map<std::string, std::string> build_values;
+        float reach; // of the rays that the structures are built for
+
+        bool operator==(const StructureSource&) const = default;
+    };
+
+    struct PathSource {
+        std::optional<Ray> ray;
+        int bounces;
+
+        bool operator==(const PathSource&) const;
+    };
+
+    struct CountSource {
+        Camera camera;
+        glm::ivec2 picture;
+
+        bool operator==(const CountSource&) const;
+    };
+
+    void load(const SceneSource& source);
+    void build(const StructureSource& source);
+    void record(const PathSource& source);
+    void count(const CountSource& source);
+    float reach_with(const std::optional<Ray>& ray) const;
+    std::optional<Ray> ray_of(const State& state) const;
     std::optional<Ray> hard_ray(const State& state);
-    void build(const State& state);
-    void record(const State& state);
-    void count(const State& state);
 
     Say say_;
-    std::optional<State> shown_;
+
+    std::optional<SceneSource> loaded_;
     Scene scene_;
-    Camera camera_;
     Box bounds_;
-    float reach_ = 0.0f; // of the rays that the structures are built for
-    std::optional<Ray> ray_;
+    std::unique_ptr<mirror::SceneBuffers> buffers_;
     std::vector<Ray> hard_rays_; // of the hard case
     FamilyValues hard_values_;   // that its builders need
-    std::string note_;
-    std::unique_ptr<mirror::SceneBuffers> buffers_;
+
+    Camera camera_;
+
+    std::optional<StructureSource> built_;
     std::vector<std::unique_ptr<Pane>> panes_;
+    std::optional<HardRay> most_telling_; // of the hard rays, in these structures
+
+    std::optional<PathSource> recorded_;
+    std::optional<Ray> ray_;
+    std::string note_;
+
+    std::optional<CountSource> counted_;
 };
-
-// The walk of the state's ray, of those behind its pixel, in a pane; nullptr where there is none.
-const RecordedWalk* walk_in(const Pane& pane, const State& state);
-
-// The step of the state in that walk: 0 where it has none.
-std::size_t step_in(const RecordedWalk& walk, const State& state);
 
 // The most steps that any pane has for the state's ray.
 int step_count(const Stage& stage, const State& state);

@@ -19,40 +19,80 @@ enum class CellColor { depth, triangles, cost, visits };
 enum class HeatMap { none, visits, tests };
 enum class SortBy { id, depth, count, area, cost };
 
-// A plane that takes away what lies behind it, as seen along its normal.
+// The words of a choice, in the order of its values: in options, in files and on the screen.
+using Words = std::vector<std::string>;
+
+inline Words words_of(ModelStyle) {
+    return {"transparent", "wireframe", "solid", "hidden"};
+}
+
+inline Words words_of(CellFilter) {
+    return {"occupied", "visited", "tested", "all"};
+}
+
+inline Words words_of(CellColor) {
+    return {"depth", "triangles", "cost", "visits"};
+}
+
+inline Words words_of(HeatMap) {
+    return {"none", "visits", "tests"};
+}
+
+inline Words words_of(SortBy) {
+    return {"id", "depth", "count", "area", "cost"};
+}
+
+template <class Choice>
+std::string word_of(Choice choice) {
+    return words_of(choice)[static_cast<std::size_t>(choice)];
+}
+
+// The choice after this one; after the last, the first.
+template <class Choice>
+Choice next_of(Choice choice) {
+    const std::size_t next = static_cast<std::size_t>(choice) + 1;
+    return static_cast<Choice>(next % words_of(choice).size());
+}
+
+// A plane that hides what lies behind it, as seen along its normal.
 struct ClipPlane {
     glm::vec3 point{0.0f};
     glm::vec3 normal{1.0f, 0.0f, 0.0f};
 };
 
+// Levels of a tree, both ends included; the root is level 0.
+struct Levels {
+    int lowest = 0;
+    int highest = 0;
+};
+
 inline constexpr int last_step = -1;
 inline constexpr int all_levels = -1;
 
-// All that a picture of the visualizer depends on, and nothing else: options, keys, the mouse,
-// saved files and tests only change this.
+// Everything that a picture of the visualizer depends on, and nothing else: options, keys, the
+// mouse, saved files and tests only change this. Every field stands in state_fields.h as well.
 struct State {
     // What there is to see.
     std::string scene = "bunny";
     std::string hard_case;                              // instead of the scene: K3
     std::vector<std::string> structures{"bvh_ordered"}; // NAME or NAME:option=value:...
     std::map<std::string, std::string> build_values;    // for the builders of all of them
-    std::optional<Camera> camera; // of the traced picture; the scene's where there is none
+    std::optional<Camera> camera; // that traces the picture; by default the scene's
     glm::ivec2 picture{512, 512}; // its size in pixels
 
-    // The ray: of a pixel of the picture, or as given.
+    // The ray: that of a pixel of the picture, or as given.
     std::optional<glm::ivec2> pixel;
     std::optional<Ray> ray;
-    int hard_ray = -1; // of the hard case's rays, where neither is given; the one that tells most
+    int hard_ray = -1; // which of the hard case's rays, if neither is given; -1: the most telling
     int bounces = 4;
-    int path_ray = 0;     // which of the rays behind the pixel; 0 is the one asked for
+    int path_ray = 0;     // which of the rays behind the pixel; 0 is the camera ray
     int step = last_step; // from 0
 
     // How it is drawn.
     ModelStyle model = ModelStyle::transparent;
     CellFilter filter = CellFilter::occupied;
     CellColor color = CellColor::depth;
-    int lowest_level = 0;
-    int highest_level = all_levels;
+    Levels levels{0, all_levels};
     double opacity = 0.12; // of the faces of cells
     int most_cells = 20000;
     std::optional<ClipPlane> clip;
@@ -65,7 +105,7 @@ struct State {
     bool help = false;
 
     // From where.
-    std::optional<Camera> viewpoint; // framed where there is none
+    std::optional<Camera> viewpoint; // by default one that frames the scene
     glm::ivec2 window{1280, 800};
 };
 

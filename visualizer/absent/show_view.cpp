@@ -1,5 +1,5 @@
 // Stands in for vtk/ where VTK is missing.
-#include "visualizer/show_view.h"
+#include "visualizer/request.h"
 
 #include "basics/error.h"
 
@@ -7,8 +7,8 @@ namespace raysteps::view {
 
 void show_view(const Request&, Stage&) {
     throw MachineError(
-        "this program was built without VTK, which draws. Install it with `apt-get "
-        "install --no-install-recommends libvtk9-dev libegl-dev libzip-dev`, and build again "
+        "this program was built without VTK, which it needs to draw. Install VTK with `apt-get "
+        "install --no-install-recommends libvtk9-dev libegl-dev libzip-dev`, and rebuild "
         "(`./run.sh view` does both).");
 }
 

@@ -1,7 +1,8 @@
 #include "sentence.h"
 
+#include "basics/text.h"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -83,9 +84,7 @@ std::string short_number(double value) {
     if (value >= 3.4e38) {
         return "infinity";
     }
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
+    return formatted("%.4g", value);
 }
 
 std::string count_of(std::size_t count, const std::string& thing) {

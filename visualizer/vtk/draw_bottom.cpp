@@ -1,9 +1,8 @@
-#include "draw_bottom.h"
+#include "draw.h"
 
+#include "paint.h"
 #include "visualizer/replay/sentence.h"
 #include "visualizer/replay/shader_line.h"
-#include "visualizer/colors.h"
-#include "paint.h"
 
 #include <algorithm>
 
@@ -13,7 +12,7 @@ namespace {
 
 constexpr int line = 22;
 
-// Of the first pane, whose steps the slider shows.
+// The slider shows the steps of the first pane.
 void draw_slider(vtkRenderer& renderer, const Area& slider, const RecordedWalk& walk, int steps,
                  std::size_t current) {
     fill(renderer, slider, {0.88f, 0.89f, 0.91f});
@@ -21,7 +20,7 @@ void draw_slider(vtkRenderer& renderer, const Area& slider, const RecordedWalk& 
     const auto place = [&](std::size_t step) {
         return slider.x + static_cast<int>(static_cast<std::size_t>(slider.width) * step / count);
     };
-    // A walk of more steps than pixels is marked where it can be.
+    // Where there are more steps than pixels, only some of them get a mark.
     std::size_t stride = 1;
     while (count / stride > static_cast<std::size_t>(slider.width)) {
         ++stride;
@@ -92,7 +91,7 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
         const std::string text = shader_text(walk, step);
         write(renderer, text, {margin, y},
               {.color = faint_ink,
-               .size = size_to_fit(text, width * 5 / 6, 14), // all its letters are wide
+               .size = size_to_fit(text, width * 5 / 6, 14), // every letter is wide
                .font = Font::code});
         y -= line;
     }

@@ -1,9 +1,8 @@
-#include "draw_heat_map.h"
+#include "draw.h"
 
-#include "visualizer/replay/sentence.h"
-#include "visualizer/colors.h"
-#include "visualizer/heat.h"
 #include "paint.h"
+#include "visualizer/color_scale.h"
+#include "visualizer/replay/sentence.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>

@@ -1,10 +1,11 @@
-#include "draw_side.h"
+#include "draw.h"
 
-#include "visualizer/replay/sentence.h"
-#include "visualizer/cell_choice.h"
-#include "visualizer/colors.h"
-#include "draw_table.h"
+#include "basics/text.h"
 #include "paint.h"
+#include "structure/bvh/bvh_split.h"
+#include "visualizer/cell_choice.h"
+#include "visualizer/color_scale.h"
+#include "visualizer/replay/sentence.h"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +96,7 @@ void add_color_names(Column& column, const Stage& stage, const State& state) {
     add_fact(column, "shown (Tab: the next)", ray_name(pane.path[shown]));
 }
 
-// Of bytes and seconds, the largest unit that there is one of.
+// Bytes and seconds get the largest unit that makes them at least 1.
 std::string fact_value(const Fact& fact) {
     if (fact.name.ends_with("bytes")) {
         const int power = fact.value >= 1048576.0 ? 2 : fact.value >= 1024.0 ? 1 : 0;
@@ -113,7 +114,7 @@ std::string fact_value(const Fact& fact) {
                : short_number(fact.value);
 }
 
-// The value has the unit.
+// Without the unit, which stands with the value.
 std::string fact_name(const Fact& fact) {
     std::string name = fact.name;
     for (const std::string unit : {"_bytes", "_seconds"}) {
@@ -141,7 +142,7 @@ void add_facts(Column& column, const Stage& stage, int lowest) {
 }
 
 struct SliderValues {
-    double from = 0.0; // parts of the slider's width
+    double from = 0.0; // fractions of the slider's width
     double to = 1.0;
     std::string name;
     std::string value;
@@ -167,6 +168,57 @@ std::string levels_text(const Stage& stage, const State& state,
            std::to_string(stage.panes().front()->cells.deepest) + ", " +
            (boxes < all ? std::to_string(boxes) + " of " : "") + std::to_string(all) +
            (all == 1 ? " box" : " boxes");
+}
+
+// With few enough digits not to run into the next column.
+std::string narrow_number(double value) {
+    return formatted(value > 0.0 && value < 0.001 ? "%.1e" : "%.3g", value);
+}
+
+void write_row(vtkRenderer& renderer, const Area& table, int row,
+               const std::vector<std::string>& words, const Writing& writing) {
+    const int y = table.y + table.height - (row + 1) * row_height + 5;
+    const int width = (table.width - 2 * margin) / static_cast<int>(words.size());
+    Writing right = writing;
+    right.side = Side::right;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        write(renderer, words[i], {table.x + margin + width * static_cast<int>(i + 1), y}, right);
+    }
+}
+
+Words heads_of(const State& state) {
+    Words heads = words_of(state.sort_by);
+    std::string& sorted = heads[static_cast<std::size_t>(state.sort_by)];
+    sorted = (state.descending ? "v " : "^ ") + sorted;
+    return heads;
+}
+
+void draw_table(vtkRenderer& renderer, const Layout& layout, const Pane& pane, const State& state) {
+    const Area& table = layout.table;
+    write(renderer, pane.label + ": " + count_of(pane.cells.cells.size(), "cell"),
+          {table.x + margin, table.y + table.height + 12}, {.size = 14, .font = Font::bold});
+    write_row(renderer, table, 0, heads_of(state), {.size = 12, .font = Font::bold});
+    const std::vector<int> order = sorted_cells(pane, state);
+    for (int row = 0; row < table_rows(layout); ++row) {
+        const auto place = static_cast<std::size_t>(std::max(state.first_row, 0) + row);
+        if (place >= order.size()) {
+            return;
+        }
+        const int number = order[place];
+        const Cell& cell = pane.cells.cells[static_cast<std::size_t>(number)];
+        const bool selected = number == state.selected;
+        if (selected) {
+            fill(renderer,
+                 {table.x + 4, table.y + table.height - (row + 2) * row_height, table.width - 8,
+                  row_height},
+                 glm::mix(selected_color, glm::vec3(1.0f), 0.55f));
+        }
+        write_row(renderer, table, row + 1,
+                  {std::to_string(number), std::to_string(cell.depth),
+                   std::to_string(cell.triangles), narrow_number(surface_area(cell.box)),
+                   narrow_number(cell.cost)},
+                  {.size = 12});
+    }
 }
 
 } // namespace

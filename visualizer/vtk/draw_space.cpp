@@ -1,11 +1,10 @@
-#include "draw_space.h"
+#include "draw.h"
 
-#include "visualizer/replay/sentence.h"
+#include "paint.h"
 #include "structure/bvh/bvh_split.h"
 #include "visualizer/cell_choice.h"
-#include "visualizer/colors.h"
-#include "draw_walk.h"
-#include "paint.h"
+#include "visualizer/color_scale.h"
+#include "visualizer/replay/sentence.h"
 
 #include <vtkNew.h>
 
@@ -15,9 +14,9 @@ namespace raysteps::view {
 
 namespace {
 
-// Of boxes: more of them only hide each other, and each layer is blended by itself.
+// Beyond these limits, the faces of boxes only hide each other, and each layer takes time to blend.
 constexpr std::size_t most_faces = 3000;
-constexpr double most_layers = 60.0; // as much surface as so many of the largest box
+constexpr double most_layers = 60.0; // total surface, in surfaces of the largest box
 
 vtkSmartPointer<vtkPlane> clipping_plane(const State& state) {
     if (!state.clip) {
@@ -51,7 +50,7 @@ void draw_model(vtkRenderer& renderer, const SpaceInput& input, vtkPlane* clip) 
     }
 }
 
-// The part of its plane that lies in the box of an inner node of a kd-tree.
+// The part of a kd-tree node's split plane that lies in its box.
 Rectangle split_plane(const Cell& cell) {
     const int u = (cell.axis + 1) % 3;
     const int v = (cell.axis + 2) % 3;
@@ -148,7 +147,7 @@ std::string title_of(const SpaceInput& input) {
 void write_title(vtkRenderer& renderer, const Area& area, const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const int top = area.y + area.height;
-    const int width = (area.width - 2 * margin) * 9 / 10; // the numbers are wider than letters
+    const int width = (area.width - 2 * margin) * 9 / 10; // digits are wider than letters
     write(renderer, pane.label, {area.x + margin, top - 28},
           {.size = size_to_fit(pane.label, width, 18), .font = Font::bold, .ground = paper});
     const std::string title = title_of(input);

@@ -1,8 +1,7 @@
-#include "draw_walk.h"
+#include "draw.h"
 
-#include "visualizer/colors.h"
-#include "visualizer/framing.h"
 #include "paint.h"
+#include "visualizer/framing.h"
 
 #include <glm/geometric.hpp>
 #include <vtkNew.h>
@@ -22,7 +21,7 @@ glm::vec3 point_at(const Ray& ray, double t) {
     return glm::vec3(glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction));
 }
 
-// A ray without an end is drawn until it is well out of the scene, and from where it comes near.
+// A ray without an end is drawn until it is well out of the scene.
 struct DrawnPart {
     double start;
     double end;
@@ -68,7 +67,7 @@ void add_ball(vtkRenderer& renderer, const glm::vec3& place, const glm::vec3& co
     add_shape(renderer, ball->GetOutput(), {.color = color, .shaded = true});
 }
 
-// Rays of one path thin, the one that is stepped through a little thicker.
+// All rays of the path are thin; the one that is stepped through is a little thicker.
 long draw_rays(vtkRenderer& renderer, const SpaceInput& input, double radius) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const RecordedWalk* current = walk_in(pane, input.state);
@@ -85,7 +84,7 @@ long draw_rays(vtkRenderer& renderer, const SpaceInput& input, double radius) {
     return static_cast<long>(pane.path.size());
 }
 
-// Where the ray is in the leaves, in two tones in turn, so that one can count them.
+// The pieces of the ray in the leaves, in two alternating tones so that they can be counted.
 long draw_intervals(vtkRenderer& renderer, const RecordedWalk& walk, std::size_t last,
                     const DrawnPart& part, double radius) {
     std::vector<Segment> even;
@@ -151,7 +150,7 @@ void add_corners(std::vector<glm::vec3>& corners, const Scene& scene, int triang
                    {scene.corners[first], scene.corners[first + 1], scene.corners[first + 2]});
 }
 
-// Of triangles that were tested: more of them hide each other, and blending them takes long.
+// More tested triangles than this hide each other, and take long to blend.
 constexpr std::size_t most_blended = 200;
 
 struct DrawnTriangles {
@@ -204,7 +203,7 @@ DrawnPane draw_path(vtkRenderer& renderer, const SpaceInput& input) {
     if (!walk) {
         return drawn;
     }
-    // Seen from near, a ray must not hide the small boxes that it goes through.
+    // Seen from close by, a ray must not hide the small boxes that it goes through.
     const double radius = std::min(0.0024 * static_cast<double>(size_of(input.stage.bounds())),
                                    0.0008 * input.distance);
     drawn.rays = draw_rays(renderer, input, radius);

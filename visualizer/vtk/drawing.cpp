@@ -1,13 +1,9 @@
 #include "drawing.h"
 
-#include "visualizer/colors.h"
-#include "visualizer/framing.h"
-#include "visualizer/help.h"
-#include "draw_bottom.h"
-#include "draw_heat_map.h"
-#include "draw_side.h"
-#include "draw_space.h"
+#include "draw.h"
 #include "paint.h"
+#include "visualizer/framing.h"
+#include "visualizer/keys.h"
 
 #include <glm/geometric.hpp>
 #include <vtkCamera.h>
@@ -29,7 +25,7 @@ vtkSmartPointer<vtkRenderer> add_renderer(vtkRenderWindow& window, const glm::ve
     return renderer;
 }
 
-// Transparent things lie behind each other in any order: depth peeling blends them in theirs.
+// Transparent things are drawn in any order: depth peeling blends them from back to front.
 void peel_depths(vtkRenderer& renderer) {
     renderer.SetUseDepthPeeling(1);
     renderer.SetMaximumNumberOfPeels(6);
@@ -48,7 +44,7 @@ void resize(std::vector<vtkSmartPointer<vtkRenderer>>& renderers, std::size_t co
     }
 }
 
-// Of a large model so many that it can be turned with the mouse, spread over all of it.
+// Of a large model, only as many as the mouse can turn smoothly, spread over all of it.
 std::vector<glm::vec3> some_triangles(const std::vector<glm::vec3>& corners) {
     constexpr std::size_t most = 250000;
     const std::size_t count = corners.size() / 3;

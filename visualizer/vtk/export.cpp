@@ -1,9 +1,9 @@
 #include "export.h"
 
 #include "basics/error.h"
+#include "structure/bvh/bvh_split.h"
 #include "visualizer/cell_choice.h"
-#include "zip_folder.h"
-#include "visualizer/walk_file.h"
+#include "visualizer/json_files.h"
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
@@ -15,7 +15,9 @@
 #include <vtkNew.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <zip.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace raysteps::view {
@@ -49,7 +51,7 @@ Shape cells_of_state(const Pane& pane, const State& state) {
     add_array(*shape, "number", cells, [](int number) { return number; });
     add_array(*shape, "depth", cells, [&](int number) { return cell(number).depth; });
     add_array(*shape, "triangles", cells, [&](int number) { return cell(number).triangles; });
-    add_array(*shape, "area", cells, [&](int number) { return area_of(cell(number)); });
+    add_array(*shape, "area", cells, [&](int number) { return surface_area(cell(number).box); });
     add_array(*shape, "cost", cells, [&](int number) { return cell(number).cost; });
     return shape;
 }
@@ -117,7 +119,38 @@ void export_gltf(const fs::path& path, const Drawing& drawing, vtkRenderWindow& 
     check_written(true, path);
 }
 
-// VTK writes a folder; the page reads it as one archive.
+// Writes all files of the folder to one ZIP archive.
+void zip_folder(const fs::path& folder, const fs::path& archive) {
+    const auto fail = [&] {
+        throw InputError(archive.string() + ": the archive cannot be written. Name another place.");
+    };
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    int error = 0;
+    zip_t* const zip = zip_open(archive.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+    if (!zip) {
+        fail();
+    }
+    for (const fs::path& file : files) {
+        const std::string name = fs::relative(file, folder).generic_string();
+        zip_source_t* const source = zip_source_file(zip, file.c_str(), 0, -1);
+        if (!source || zip_file_add(zip, name.c_str(), source, ZIP_FL_ENC_UTF_8) < 0) {
+            zip_discard(zip);
+            fail();
+        }
+    }
+    if (zip_close(zip) != 0) {
+        zip_discard(zip);
+        fail();
+    }
+}
+
+// VTK writes a folder; the web page reads it as one archive.
 void export_vtkjs(const fs::path& path, const Drawing& drawing, vtkRenderWindow& window) {
     fs::path folder = path;
     folder += ".folder";
@@ -154,7 +187,7 @@ void export_drawing(const fs::path& path, const Stage& stage, const State& state
         write_walk(path, stage, state);
     } else {
         throw InputError("--export " + path.string() +
-                         ": the ending names the form. Take .vtp, .vtm, .gltf, .vtkjs or .json.");
+                         ": unknown extension. Use .vtp, .vtm, .gltf, .vtkjs or .json.");
     }
 }
 

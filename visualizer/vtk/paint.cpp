@@ -1,6 +1,5 @@
 #include "paint.h"
 
-#include "image/color.h"
 #include "basics/text.h"
 
 #include <vtkActor2D.h>
@@ -52,7 +51,6 @@ vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyDataMapper& ma
     property.SetColor(to_vtk(look.color).data());
     property.SetOpacity(look.opacity);
     property.SetLineWidth(look.width);
-    property.SetPointSize(look.width);
     property.SetLighting(look.shaded);
     property.SetAmbient(look.shaded ? 0.35 : 1.0);
     property.SetDiffuse(look.shaded ? 0.65 : 0.0);
@@ -63,7 +61,8 @@ vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyDataMapper& ma
     return actor;
 }
 
-// DejaVu, where it is installed, has letters that are easy to tell apart; VTK has some of its own.
+// DejaVu, where it is installed: its letters are easier to tell apart than those of VTK's own
+// fonts.
 void choose_font(vtkTextProperty& property, Font font) {
     const std::filesystem::path folder = RAYSTEPS_FONT_DIR;
     const std::string name = font == Font::code   ? "DejaVuSansMono.ttf"
@@ -83,20 +82,13 @@ void choose_font(vtkTextProperty& property, Font font) {
     }
 }
 
-// Places are those of the window; a renderer counts from its own corner.
+// Places are relative to the window; a renderer's coordinates start at its own corner.
 glm::ivec2 corner_of(vtkRenderer& renderer) {
     const int* const origin = renderer.GetOrigin();
     return {origin[0], origin[1]};
 }
 
 } // namespace
-
-glm::vec3 color_in(const ValueRange& range, double value) {
-    const double part = (value - range.lower) / (range.upper - range.lower);
-    // The brightest yellow is hard to see on paper.
-    const glm::vec3 linear = color_map(static_cast<float>(0.92 * part));
-    return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
-}
 
 vtkSmartPointer<vtkActor> add_shape(vtkRenderer& renderer, const Shape& shape, const Look& look) {
     vtkNew<vtkPolyDataMapper> mapper;

@@ -16,7 +16,7 @@ namespace {
 using IdPair = std::array<vtkIdType, 2>;
 using IdQuad = std::array<vtkIdType, 4>;
 
-// Corner i of a box has the upper end of axis a where bit a of i is set.
+// Corner i of a box is at the upper end of axis a if bit a of i is set.
 constexpr std::array<IdPair, 12> edges{{{0, 1},
                                         {2, 3},
                                         {4, 5},
@@ -165,19 +165,6 @@ Shape line_segments(std::span<const std::pair<glm::vec3, glm::vec3>> segments) {
     auto shape = Shape::New();
     shape->SetPoints(points);
     shape->SetLines(lines);
-    return shape;
-}
-
-Shape points(std::span<const glm::vec3> places) {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> vertices;
-    for (const glm::vec3& place : places) {
-        const vtkIdType id = add_point(*points, place);
-        vertices->InsertNextCell(1, &id);
-    }
-    auto shape = Shape::New();
-    shape->SetPoints(points);
-    shape->SetVerts(vertices);
     return shape;
 }
 

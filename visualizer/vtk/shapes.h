@@ -13,10 +13,10 @@ namespace raysteps::view {
 
 using Shape = vtkSmartPointer<vtkPolyData>;
 
-// The 12 edges of each box, with a value for each box, or none at all.
+// The 12 edges of each box, with one value per box or none at all.
 Shape box_edges(std::span<const Box> boxes, std::span<const double> values = {});
 
-// The same edges as dashes, so many an edge.
+// The same edges, dashed.
 Shape dashed_box_edges(std::span<const Box> boxes);
 
 // The 6 faces of each box.
@@ -34,9 +34,7 @@ Shape rectangles(std::span<const Rectangle> planes, std::span<const double> valu
 // Triangles, three corners each.
 Shape triangles(std::span<const glm::vec3> corners);
 
-// A line from point to point for each pair.
+// One line per pair of points.
 Shape line_segments(std::span<const std::pair<glm::vec3, glm::vec3>> segments);
-
-Shape points(std::span<const glm::vec3> places);
 
 } // namespace raysteps::view

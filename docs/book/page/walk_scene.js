@@ -1,5 +1,5 @@
 // Draws a walk with vtk.js: the model, the boxes that a ray has come to, and the step of now.
-// A walk is what the visualizer's --export file.json writes (visualizer/walk_file.h).
+// A walk is what the visualizer's --export file.json writes (visualizer/json_files.h).
 "use strict";
 
 const walkColors = {

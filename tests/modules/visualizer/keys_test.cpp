@@ -1,7 +1,6 @@
 #include "catch.h"
 #include "shown.h"
 #include "visualizer/cell_choice.h"
-#include "visualizer/help.h"
 #include "visualizer/keys.h"
 #include "visualizer/layout.h"
 #include "visualizer/pointing.h"
@@ -112,9 +111,15 @@ TEST_CASE("keys turn what is drawn", "[visualizer][keys]") {
     CHECK(levels_of(*stage.panes().front(), fewer).highest ==
           stage.panes().front()->cells.deepest - 1);
     CHECK(after_key(state, stage, "F7").step == state.step);
+    state.viewpoint = stage.camera();
+    CHECK(after_key(state, stage, "f").viewpoint->eye != state.viewpoint->eye);
+    CHECK(!after_key(state, stage, "r").viewpoint);
+    CHECK(window_action("q") == WindowAction::quit);
+    CHECK(window_action("space") == WindowAction::play);
+    CHECK(window_action("n") == WindowAction::none);
 }
 
-TEST_CASE("the help sheet tells the values as they are", "[visualizer][keys]") {
+TEST_CASE("the help sheet shows the current values", "[visualizer][keys]") {
     State state = mirrors_state();
     CHECK_THAT(help_text(state), contains_text("now visited") && contains_text("now last"));
     state.filter = CellFilter::all;
@@ -133,9 +138,9 @@ TEST_CASE("a click on a slider sets its value", "[visualizer][mouse]") {
           Approx(0.5).margin(0.01));
     const glm::ivec2 left{layout.level_slider.x + 1, layout.level_slider.y + 2};
     const State root = after_click(state, stage, {left.x + layout.level_slider.width - 3, left.y});
-    CHECK(root.highest_level == stage.panes().front()->cells.deepest);
+    CHECK(root.levels.highest == stage.panes().front()->cells.deepest);
     const State lower = after_click(state, stage, middle_of(layout.level_slider));
-    CHECK(lower.highest_level == (stage.panes().front()->cells.deepest + 1) / 2);
+    CHECK(lower.levels.highest == (stage.panes().front()->cells.deepest + 1) / 2);
     CHECK(is_on_panel(state, stage, middle_of(layout.step_slider)));
     CHECK(!is_on_panel(state, stage, middle_of(layout.panes.front())));
 }
@@ -194,7 +199,7 @@ TEST_CASE("a click in space finds the model and the smallest cell under it",
     CHECK(static_cast<double>(walk.hit.t) == Approx(1.0).margin(1e-5));
     State all = state;
     all.filter = CellFilter::occupied;
-    all.highest_level = 3;
+    all.levels.highest = 3;
     const int cell = cell_under(all, stage, viewpoint, middle_of(pane));
     REQUIRE(cell != no_cell);
     CHECK(stage.panes().front()->cells.cells[static_cast<std::size_t>(cell)].depth <= 3);

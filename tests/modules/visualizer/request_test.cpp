@@ -1,10 +1,10 @@
 #include "visualizer/request.h"
 
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
-#include "visualizer/state_file.h"
+#include "visualizer/json_files.h"
 
 using namespace raysteps;
 using namespace raysteps::view;
@@ -42,8 +42,8 @@ TEST_CASE("options become a state", "[visualizer][request]") {
     CHECK(*state.pixel == glm::ivec2(3, 4));
     CHECK(state.picture == glm::ivec2(64, 32));
     CHECK(state.step == 6);
-    CHECK(state.lowest_level == 2);
-    CHECK(state.highest_level == 5);
+    CHECK(state.levels.lowest == 2);
+    CHECK(state.levels.highest == 5);
     CHECK(state.color == CellColor::cost);
     CHECK(state.filter == CellFilter::visited);
     CHECK(state.build_values.at("split") == "median");
@@ -74,7 +74,10 @@ TEST_CASE("options that make no sense are named in a sentence", "[visualizer][re
     CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}), contains_text("both"));
     CHECK_THAT(sentence_of({"--step", "0"}), contains_text("--step 0"));
     CHECK_THAT(sentence_of({"--levels", "5-2"}), contains_text("--levels 5-2"));
-    CHECK_THAT(sentence_of({"--color", "mood"}), contains_text("visits"));
+    CHECK_THAT(sentence_of({"--color", "mood"}),
+               contains_text("--color") && contains_text("visits"));
+    CHECK_THAT(sentence_of({"--bounces", "-2"}), contains_text("--bounces -2"));
+    CHECK_THAT(sentence_of({"--opacity", "2"}), contains_text("from 0 to 1"));
     CHECK_THAT(sentence_of({"--walk", "crawl", "--structure", "kd"}), contains_text("kd_ropes"));
     CHECK_THAT(sentence_of({"--window-size", "10x10"}), contains_text("320x240"));
     CHECK_THAT(sentence_of({"--hard-case", "Q9"}), contains_text("Q9"));
@@ -105,6 +108,36 @@ TEST_CASE("a saved state is the same state again", "[visualizer][state]") {
     const Request request = request_of({"--state", (folder / "a.json").string(), "--step", "9"});
     CHECK(request.state.step == 8);
     CHECK(request.state.sort_by == SortBy::area);
+    CHECK(request.state.color == state.color);
+}
+
+TEST_CASE("a state that was saved by an earlier version opens", "[visualizer][state]") {
+    const State state = parse_state(R"({
+        "scene": "mirrors", "hard_case": "", "hard_ray": -1, "structures": ["kd_ropes"],
+        "build_values": {"split": "median"},
+        "camera": {"eye": [1.0, 2.0, 3.0], "target": [0.0, 0.0, 0.0], "up": [0.0, 1.0, 0.0],
+                   "vertical_field_of_view": 35.0},
+        "picture": [64, 32],
+        "ray": {"origin": [0.0, 0.0, 5.0], "direction": [0.0, 0.0, -1.0], "t_min": 0.0,
+                "t_max": 9.0},
+        "bounces": 2, "path_ray": 1, "step": 3, "model": "solid", "show": "all",
+        "color": "visits", "levels": [1, -1], "opacity": 0.25, "most_cells": 7,
+        "clip": {"point": [1.0, 2.0, 3.0], "normal": [0.0, 1.0, 0.0]}, "heat_map": "tests",
+        "table": true, "sort_by": "area", "descending": false, "first_row": 2, "selected": 5,
+        "help": true, "window": [900, 640]})",
+                                    "old.json");
+    CHECK(state.build_values.at("split") == "median");
+    CHECK(state.camera->vertical_field_of_view == 35.0f);
+    CHECK(state.picture == glm::ivec2(64, 32));
+    CHECK(state.ray->t_max == 9.0f);
+    CHECK(state.step == 3);
+    CHECK(state.model == ModelStyle::solid);
+    CHECK(state.levels.lowest == 1);
+    CHECK(state.levels.highest == all_levels);
+    CHECK(state.clip->normal == glm::vec3(0, 1, 0));
+    CHECK(!state.descending);
+    CHECK(state.selected == 5);
+    CHECK(!state.viewpoint);
 }
 
 TEST_CASE("a file that is no state says what is wrong with it", "[visualizer][state]") {

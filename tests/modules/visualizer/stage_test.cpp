@@ -1,9 +1,9 @@
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "shown.h"
 #include "visualizer/cell_choice.h"
+#include "visualizer/color_scale.h"
 #include "visualizer/framing.h"
-#include "visualizer/heat.h"
 #include "visualizer/layout.h"
 
 #include <glm/geometric.hpp>
@@ -116,11 +116,11 @@ TEST_CASE("levels and filters choose cells and a limit says how many it left out
             std::count_if(pane.cells.cells.begin(), pane.cells.cells.end(), wanted));
     };
     state.filter = CellFilter::all;
-    state.lowest_level = state.highest_level = 4;
+    state.levels.lowest = state.levels.highest = 4;
     CHECK(choose_cells(pane, state).cells.size() ==
           count([](const Cell& cell) { return cell.depth == 4; }));
     state.filter = CellFilter::occupied;
-    state.lowest_level = 2;
+    state.levels.lowest = 2;
     const std::size_t occupied = count(
         [](const Cell& cell) { return cell.depth >= 2 && cell.depth <= 4 && cell.triangles > 0; });
     CHECK(choose_cells(pane, state).cells.size() == occupied);

@@ -1,14 +1,13 @@
 #include "visualizer/vtk/drawing.h"
 
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "image/difference.h"
 #include "image/image_file.h"
-#include "support/scratch_folder.h"
 #include "modules/visualizer/shown.h"
+#include "support/scratch_folder.h"
 #include "visualizer/vtk/export.h"
-#include "visualizer/vtk/headless_window.h"
-#include "visualizer/vtk/screenshot.h"
+#include "visualizer/vtk/window.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkCellData.h>
@@ -91,7 +90,7 @@ TEST_CASE("as many boxes are drawn as the structure has at a level", "[visualize
         const Pane& pane = *stage.panes().front();
         for (int level = 0; level <= std::min(pane.cells.deepest, 6); ++level) {
             CAPTURE(structure, level);
-            state.lowest_level = state.highest_level = level;
+            state.levels = {level, level};
             const DrawnPane found = drawn(stage, state).front();
             CHECK(found.cells + found.left_out == count_cells(pane, level));
             const long inner = std::count_if(

@@ -159,7 +159,7 @@ picks_with_the_mouse() {
   # The window has no frame without a window manager, so its middle is that of the pane.
   xdotool mousemove 240 260 click 1
   save 2
-  has 2 '"ray":{"origin"'
+  has 2 '"ray":{"direction"'
   has 2 '"show":"visited"'
   xdotool mousemove 240 260 keydown shift click 1 keyup shift
   save 3

@@ -1,14 +1,21 @@
-#include "headless_window.h"
+#include "window.h"
 
 #include "basics/error.h"
+#include "image/color.h"
+#include "image/image_file.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <X11/Xlib.h>
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <array>
+#include <memory>
 #include <string>
 
 namespace raysteps::view {
@@ -18,12 +25,12 @@ namespace {
 [[noreturn]] void fail(const std::string& what) {
     throw MachineError("egl: " + what +
                        ", so no picture can be drawn without a display. Install the packages "
-                       "libegl-mesa0 and libgl1-mesa-dri, or start it on a display, such as "
-                       "xvfb-run gives.");
+                       "libegl-mesa0 and libgl1-mesa-dri, or run it on a display, such as one "
+                       "from xvfb-run.");
 }
 
 // The one context that VTK draws with. It lives to the end of the program: VTK's static objects
-// let go of OpenGL after everything else.
+// release OpenGL after everything else.
 void make_context_current() {
     static bool made = false;
     if (made) {
@@ -32,13 +39,13 @@ void make_context_current() {
     const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (!platform_display) {
-        fail("this EGL knows no platforms");
+        fail("this EGL does not support platforms");
     }
     const EGLDisplay display =
         platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
         !eglBindAPI(EGL_OPENGL_API)) {
-        fail("Mesa's platform without a surface cannot be had");
+        fail("Mesa's surfaceless platform is not available");
     }
     const std::array<EGLint, 13> wanted{EGL_RENDERABLE_TYPE,
                                         EGL_OPENGL_BIT,
@@ -56,7 +63,7 @@ void make_context_current() {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0) {
-        fail("no configuration has OpenGL");
+        fail("no configuration supports OpenGL");
     }
     const std::array<EGLint, 7> version{EGL_CONTEXT_MAJOR_VERSION,
                                         3,
@@ -71,15 +78,14 @@ void make_context_current() {
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, surface, surface, context)) {
         fail("there is no OpenGL 3.2");
     }
-    // VTK goes on from the state in which it finds OpenGL, and counts on drawing over what is
-    // there.
+    // VTK starts from the OpenGL state that it finds, and relies on drawing over what is there.
     constexpr unsigned less_or_equal = 0x0203; // GL_LEQUAL
     reinterpret_cast<void (*)(unsigned)>(eglGetProcAddress("glDepthFunc"))(less_or_equal);
     made = true;
 }
 
-// VTK's loader of functions looks for a display in vain and says so, but has found all functions by
-// then. Other messages are to be seen.
+// VTK's function loader looks for a display in vain and reports that, but by then it has found all
+// functions. Other messages are shown.
 class QuietWindow : public vtkGenericOpenGLRenderWindow {
 public:
     static QuietWindow* New();
@@ -96,7 +102,7 @@ protected:
 
 vtkStandardNewMacro(QuietWindow)
 
-// VTK asks a generic window's owner whether its context is there.
+// VTK asks the owner of a generic window whether its context exists.
 void answer_yes(vtkObject*, unsigned long, void*, void* answer) {
     *static_cast<bool*>(answer) = true;
 }
@@ -114,6 +120,14 @@ void answer_on(vtkRenderWindow& window, unsigned long event,
 
 } // namespace
 
+bool has_display() {
+    // Stays open: an X server resets itself when its last client leaves, and would not accept the
+    // window that comes next.
+    static const std::unique_ptr<Display, int (*)(Display*)> display(XOpenDisplay(nullptr),
+                                                                     XCloseDisplay);
+    return display != nullptr;
+}
+
 vtkSmartPointer<vtkRenderWindow> make_headless_window(const glm::ivec2& size) {
     make_context_current();
     vtkNew<QuietWindow> window;
@@ -125,6 +139,33 @@ vtkSmartPointer<vtkRenderWindow> make_headless_window(const glm::ivec2& size) {
     window->SetShowWindow(false);
     window->SetSize(size.x, size.y);
     return window;
+}
+
+Image picture_of(vtkRenderWindow& window) {
+    window.Render();
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(&window);
+    filter->SetInputBufferTypeToRGB();
+    filter->ReadFrontBufferOff();
+    filter->ShouldRerenderOff();
+    filter->Update();
+    vtkImageData& pixels = *filter->GetOutput();
+    const int* const size = pixels.GetDimensions();
+    Image image(size[0], size[1]);
+    for (int row = 0; row < size[1]; ++row) {
+        for (int column = 0; column < size[0]; ++column) {
+            const auto* const texel = static_cast<const unsigned char*>(
+                pixels.GetScalarPointer(column, size[1] - 1 - row, 0));
+            for (int i = 0; i < 3; ++i) {
+                image.at(column, row)[i] = linear_from_srgb(static_cast<float>(texel[i]) / 255.0f);
+            }
+        }
+    }
+    return image;
+}
+
+void write_screenshot(vtkRenderWindow& window, const std::filesystem::path& path) {
+    write_png(path, picture_of(window));
 }
 
 } // namespace raysteps::view
