@@ -33,9 +33,12 @@ class CourseTest(unittest.TestCase):
         self.folder = Path(folder.name)
         self.workbook = self.folder / "workbook"
 
+    limits = ()  # options of ./course
+
     def course(self, *arguments, expect=0):
         """Runs ./course and returns what it printed; its exit code must be `expect`."""
-        done = subprocess.run([*COURSE, "--workbook", self.workbook, *map(str, arguments)],
+        done = subprocess.run([*COURSE, *self.limits, "--workbook", self.workbook,
+                               *map(str, arguments)],
                               stdin=subprocess.DEVNULL, capture_output=True, text=True,
                               check=False)
         self.assertEqual(done.returncode, expect, done.stdout + done.stderr)
