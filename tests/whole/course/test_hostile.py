@@ -98,7 +98,7 @@ class Trials(CourseTest):
     """Trials of the project's own code that crash or never end."""
 
     def test_each_is_told_as_its_own_and_the_others_are_not_lost(self):
-        program = self.folder / "build" / "common" / "course_shaders" / "course_shaders"
+        program = self.folder / "build" / "scripts" / "course" / "answers" / "course_shaders"
         program.parent.mkdir(parents=True)
         program.write_text("#!/bin/sh\nwhile read -r line; do case $line in *crash*) kill -SEGV $$ ;; "
                            "*hang*) exec sleep 60 ;; *wrong*) echo '{\"code\": 3, \"message\": "
@@ -152,12 +152,12 @@ class Archives(CourseTest):
     def test_a_link_in_a_folder_is_passed_over(self):
         handed_in = self.folder / "mallory"
         (handed_in / "shaders").mkdir(parents=True)
-        os.symlink("/etc", handed_in / "shaders/geometry")
+        os.symlink("/etc", handed_in / "shaders/core")
         secret = self.folder / "secret"
         secret.mkdir()
         (secret / "split_median.cpp").write_text("secret")
-        (handed_in / "common").mkdir()
-        os.symlink(secret, handed_in / "common/structure")
+        (handed_in / "common/structure").mkdir(parents=True)
+        os.symlink(secret, handed_in / "common/structure/bvh")
         self.assertEqual(self.unpacked(handed_in), [])
 
     def test_a_file_that_unpacks_to_gigabytes_is_cut_off_and_refused(self):
