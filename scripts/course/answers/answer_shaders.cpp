@@ -1,7 +1,8 @@
 #include "answer_shaders.h"
 
-#include "basics/error.h"
 #include "basics/box.h"
+#include "basics/error.h"
+#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
@@ -14,9 +15,8 @@
 #include "render/trace_rays.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
-#include "basics/random_numbers.h"
-#include "structure/structure.h"
 #include "structure/padding.h"
+#include "structure/structure.h"
 
 #include <algorithm>
 #include <array>
