@@ -14,7 +14,7 @@ list_files() {
   for pattern in "$@"; do
     patterns+=(-o -name "$pattern")
   done
-  find chapters common shaders tests visualizer -type f \( "${patterns[@]:1}" \) -print0
+  find chapters common scripts shaders tests visualizer -type f \( "${patterns[@]:1}" \) -print0
 }
 
 # in_batches COMMAND...: with the files of standard input, on all processors

@@ -42,6 +42,14 @@ def _asked(exercise, rays):
     return checkpoints, questions
 
 
+def _rounds(engine, exercise, count):
+    """All at once; one checkpoint after the other where a program stays, up to the first that is
+    wrong: the shaders of those behind it need not be compiled."""
+    if engine.companions and exercise.is_shader:
+        return [slice(index, index + 1) for index in range(count)]
+    return [slice(0, count)]
+
+
 def _program(engine, exercise):
     return engine.shaders_program() if exercise.is_shader else engine.builders_program()
 
@@ -50,11 +58,10 @@ def _ask_own(engine, exercise, folder, questions):
     if exercise.is_shader:
         return engines.ask(engine, _program(engine, exercise), exercise.chapter, questions,
                            folder / "shaders")
-    with engines.locked(engines.STORE / "workbook.lock"):
-        program = engines.build_with(engine, folder)
-        if isinstance(program, engines.Failure):
-            return program
-        return engines.ask(engine, program, exercise.chapter, questions)
+    program = engines.build_with(engine, exercise.file, folder)
+    if isinstance(program, engines.Failure):
+        return program
+    return engines.ask(engine, program, exercise.chapter, questions)
 
 
 def _failed(result, failure, own):
@@ -132,10 +139,13 @@ def judge(engine, exercise, own, rays=None, store=None):
     checkpoints, questions = _asked(exercise, rays)
     reference = engines.ask_reference(engine, _program(engine, exercise), exercise.chapter, questions)
     with overlay(exercise, own) as folder:
-        answers = _ask_own(engine, exercise, folder, questions)
-        if isinstance(answers, engines.Failure):
-            return _failed(result, answers, own)
-        _compare_all(result, answers, reference, checkpoints, rays is None)
+        for asked in _rounds(engine, exercise, len(questions)):
+            answers = _ask_own(engine, exercise, folder, questions[asked])
+            if isinstance(answers, engines.Failure):
+                return _failed(result, answers, own)
+            _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)
+            if result.state != PASSED:
+                break
         if store is not None and exercise.is_shader:
             _compare_pictures(engine, result, own, folder, store)
     return result

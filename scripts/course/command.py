@@ -21,6 +21,7 @@ def _print_json(value):
 
 def _engine(options):
     engine = engines.Engine()
+    engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
     engine.limits.memory_bytes = options.memory << 30
     engine.build_limits.memory_bytes = options.memory << 30
     if options.build:
@@ -246,7 +247,7 @@ def grade_all(options):
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
-        settings = ["--memory", options.memory]
+        settings = ["--memory", options.memory, "--seconds", options.seconds]
         settings += ["--build", Path(options.build).resolve()] if options.build else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
                                  options.only, settings)
@@ -273,7 +274,8 @@ def verify_all(options):
             print(f"{word} {finding.number} {finding.kind}: {finding.text}"
                   f"{' -- ' + finding.detail if finding.detail else ''}", flush=True)
 
-    findings = verify.verify(engine, chosen, engines.STORE / "verify", options.workers, say)
+    with engines.with_companions(engine) as staying:
+        findings = verify.verify(staying, chosen, engines.STORE / "verify", options.workers, say)
     wrong = [finding for finding in findings if not finding.is_right]
     caught = [finding for finding in findings if finding.kind == "mutation" and finding.is_right]
     if options.json:
@@ -291,6 +293,8 @@ def _parser():
                                         "course_builders; else build/default, built as needed")
     parser.add_argument("--memory", type=int, default=8, metavar="GIB",
                         help="what a checked program may reserve, in GiB; 0: all there is (8)")
+    parser.add_argument("--seconds", type=int, default=60, metavar="S",
+                        help="what a checked program may take, of the clock and of processors (60)")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name, run, text, **which):

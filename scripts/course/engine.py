@@ -5,12 +5,13 @@ import hashlib
 import json
 import os
 import re
-import shutil
+import shlex
 import subprocess
 import sys
 import tempfile
+import threading
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from . import sandbox
@@ -43,6 +44,7 @@ class Engine:
     limits: sandbox.Limits = field(default_factory=sandbox.Limits)
     build_limits: sandbox.Limits = field(
         default_factory=lambda: sandbox.Limits(seconds=600, cpu_seconds=1200, processes=4096))
+    companions: "Companions" = None  # see there; what was handed in never has any
 
     def shaders_program(self):
         return self.build / "scripts" / "course" / "answers" / "course_shaders"
@@ -92,12 +94,50 @@ def locked(path):
         yield
 
 
-def _environment(chapter, overlay, scratch):
+def _shaders(chapter, overlay):
+    """The folders that shaders are read from before the project's own."""
     folders = [overlay] if overlay else []
     folders += [ROOT / "chapters" / chapter / "exercises", ROOT / "scripts" / "course" / "answers" / "shaders"]
+    return ":".join(str(folder) for folder in folders)
+
+
+def _environment(scratch):
     kept = {key: os.environ[key] for key in ("PATH", "LANG", "LD_LIBRARY_PATH") if key in os.environ}
-    return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch), "MESA_SHADER_CACHE_DISABLE": "true",
-            "RAYSTEPS_SHADERS": ":".join(str(folder) for folder in folders)}
+    return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch)}
+
+
+class Companions:
+    """Programs that stay and answer job after job, one for each thread that asks, with one OpenGL
+    context each. Compiled shaders are kept for all of them, and for the next time."""
+
+    def __init__(self, engine):
+        self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
+        self._engine, self._mine, self._all = engine, threading.local(), []
+
+    def ask(self, job):
+        if not hasattr(self._mine, "program"):
+            environment = {**_environment(self._folder.name),
+                           "MESA_SHADER_CACHE_DIR": str(STORE / "compiled_shaders")}
+            self._mine.program = sandbox.Companion([self._engine.shaders_program()],
+                                                   self._engine.limits, environment,
+                                                   self._folder.name)
+            self._all.append(self._mine.program)
+        return self._mine.program.ask(json.dumps(job))
+
+    def close(self):
+        for program in self._all:
+            program.close()
+        self._folder.cleanup()
+
+
+@contextmanager
+def with_companions(engine):
+    """The engine for trials of the project's own code: they share programs that stay."""
+    companions = Companions(engine)
+    try:
+        yield replace(engine, companions=companions)
+    finally:
+        companions.close()
 
 
 def _failure(outcome, limits):
@@ -107,17 +147,27 @@ def _failure(outcome, limits):
                                "does a loop never end?")
     if outcome.code < 0 or outcome.code >= 128:
         return Failure("crash", f"crashed (signal {abs(outcome.code) % 128}).")
-    message = outcome.errors.strip() or f"ended with exit code {outcome.code}."
+    return _refusal(outcome.errors.strip() or f"ended with exit code {outcome.code}.")
+
+
+def _refusal(message):
     is_shader = "does not compile" in message or "do not link" in message
     return Failure("compile" if is_shader else "machine", message)
 
 
 def _read_answers(path, count):
+    try:
+        return _answers_in(path.read_text(), count)
+    except (OSError, ValueError):
+        return _answers_in("", count)
+
+
+def _answers_in(text, count):
     """What the program wrote; it ran a person's code, so nothing is taken for granted."""
     try:
-        found = json.loads(path.read_text())["answers"]
+        found = json.loads(text)["answers"]
         answers = [Answer(answer["rays"], answer["steps"]) for answer in found]
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         return Failure("crash", "ended without an answer.")
     if len(answers) != count:
         return Failure("crash", "answered other questions than those it was asked.")
@@ -126,20 +176,32 @@ def _read_answers(path, count):
 
 def ask(engine, program, chapter, questions, overlay=None):
     """A list of Answer, one a question, or a Failure."""
+    if engine.companions and program == engine.shaders_program():
+        return _ask_companion(engine, chapter, questions, overlay)
     with tempfile.TemporaryDirectory(prefix="raysteps_course_") as name:
         scratch = Path(name)
         (scratch / "job.json").write_text(json.dumps({"questions": questions}))
+        environment = {**_environment(scratch), "MESA_SHADER_CACHE_DISABLE": "true",
+                       "RAYSTEPS_SHADERS": _shaders(chapter, overlay)}
         outcome = sandbox.run([program, scratch / "job.json", scratch / "answers.json"],
-                              engine.limits, _environment(chapter, overlay, scratch), scratch)
+                              engine.limits, environment, scratch)
         if outcome.code != 0 or outcome.timed_out:
             return _failure(outcome, engine.limits)
         return _read_answers(scratch / "answers.json", len(questions))
 
 
+def _ask_companion(engine, chapter, questions, overlay):
+    outcome = engine.companions.ask({"shaders": _shaders(chapter, overlay), "questions": questions})
+    if outcome.code != 0 or outcome.timed_out:
+        return _failure(outcome, engine.limits)
+    found = json.loads(outcome.output or "{}")
+    return _refusal(found["message"]) if "message" in found else _answers_in(outcome.output, len(questions))
+
+
 def _state_of_sources(program):
     """Changes where the program or any shader of the project does."""
     digest = hashlib.sha256(f"{program.stat().st_mtime_ns}".encode())
-    for folder in ("shaders", "common/course_shaders/shaders", "chapters"):
+    for folder in ("shaders", "scripts/course/answers/shaders", "chapters"):
         for path in sorted((ROOT / folder).rglob("*")):
             if path.suffix in (".glsl", ".frag", ".vert"):
                 digest.update(str(path).encode() + path.read_bytes())
@@ -182,39 +244,55 @@ def reference_picture(engine, chapter, question):
     return kept
 
 
-def build_with(engine, overlay):
-    """course_builders with the sources of the overlay, by CMake in a build folder of its own.
+def _build_steps(engine, file):
+    """The commands that compile the file and link course_builders, as Ninja has them, and where the
+    file's object goes: into an archive, which is a word of the second command."""
+    cache = (engine.build / "CMakeCache.txt").read_text()
+    ninja = re.search(r"^CMAKE_MAKE_PROGRAM:\w+=(.*ninja.*)$", cache, re.MULTILINE)
+    if ninja is None:
+        raise MachineError(f"{engine.build}: was not made for Ninja. Configure it with a preset.")
+    listed = subprocess.run([ninja[1], "-C", engine.build, "-t", "commands", "course_builders"],
+                            capture_output=True, text=True, check=False)
+    commands = [shlex.split(line) for line in listed.stdout.splitlines()]
+    compile_ = next((words for words in commands if str(ROOT / file) in words), None)
+    if listed.returncode != 0 or compile_ is None:
+        raise MachineError(f"{engine.build}: course_builders is not built from {file} there. Build it "
+                           f"again. {listed.stderr}".strip())
+    made = compile_[compile_.index("-o") + 1]
+    archive = next(word for words in commands if made in words and words is not compile_
+                   for word in words if word.endswith(".a"))
+    link = commands[-1][2:]  # after `: &&`
+    return compile_, link[:link.index("&&")], archive
 
-    Hold the lock of STORE / "workbook.lock" until it has been run. Returns its path or a Failure.
-    """
-    folder = STORE / "workbook"
-    sources = STORE / "workbook_sources"
-    sources.mkdir(parents=True, exist_ok=True)
-    wanted = {path.relative_to(overlay) for path in overlay.rglob("*.cpp")}
-    for path in sources.rglob("*.cpp"):
-        if path.relative_to(sources) not in wanted:
-            path.unlink()
-    for path in wanted:  # what has not changed is not compiled again
-        (sources / path).parent.mkdir(parents=True, exist_ok=True)
-        if not (sources / path).exists() or (sources / path).read_bytes() != (overlay / path).read_bytes():
-            shutil.copyfile(overlay / path, sources / path)
-    if not (folder / "CMakeCache.txt").exists():
-        print("course: building the project's C++ with yours, which takes minutes the first time",
-              file=sys.stderr)
-    generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-    for command in (["cmake", "-S", ROOT, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release",
-                     "-DRAYSTEPS_TESTS=OFF", "-DRAYSTEPS_WINDOW=OFF", f"-DRAYSTEPS_WORKBOOK={sources}"],
-                    ["cmake", "--build", folder, "--target", "course_builders"]):
-        outcome = sandbox.run(command, engine.build_limits)
+
+def _with(words, **replaced):
+    """The command with other words behind its options."""
+    words = list(words)
+    for option, word in replaced.items():
+        words[words.index(f"-{option}") + 1] = str(word)
+    return words
+
+
+def build_with(engine, file, overlay):
+    """course_builders with this one source of the overlay: only that is compiled, and takes the
+    place of its namesake among the project's objects. Returns the program's path or a Failure."""
+    compile_, link, archive = _build_steps(engine, file)
+    if "-MD" in compile_:  # the list of headers is the project's own
+        first = compile_.index("-MD")
+        del compile_[first:first + 5]
+    own, program = overlay / "own.o", overlay / "course_builders"
+    link.insert(link.index(archive), str(own))
+    for command in (_with(compile_, o=own, c=overlay / file), _with(link, o=program)):
+        outcome = sandbox.run(command, engine.build_limits, folder=engine.build)
         if outcome.timed_out:
             return Failure("time", "took too long to compile.")
         if outcome.code != 0:
             return Failure("compile", _compiler_messages(outcome.output + outcome.errors))
-    return folder / "scripts" / "course" / "answers" / "course_builders"
+    return program
 
 
 def _compiler_messages(text):
     """The errors, and not the commands that led to them."""
     lines = [line for line in text.splitlines()
-             if re.search(r"(error|undefined reference|CMake Error)", line)]
+             if re.search(r"(error|undefined reference)", line)]
     return "\n".join(lines[:12]) or text[-2000:]

@@ -2,11 +2,12 @@
 
 import os
 import resource
+import select
 import signal
 import subprocess
 import tempfile
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 MOST_BYTES_SHOWN = 20_000
 
@@ -14,7 +15,7 @@ MOST_BYTES_SHOWN = 20_000
 @dataclass
 class Limits:
     seconds: float = 60.0  # of the clock
-    cpu_seconds: int = 60  # of all of its threads together
+    cpu_seconds: int = 60  # of all of its threads together; 0: no limit
     memory_bytes: int = 8 << 30  # of addresses: the software renderer reserves far more than it uses; 0: no limit
     file_bytes: int = 64 << 20  # of each file that it writes, its output included
     processes: int = 512  # of this user; the system does not count those of root
@@ -39,7 +40,7 @@ def _limit(limits):
                        (resource.RLIMIT_NPROC, limits.processes),
                        (resource.RLIMIT_CORE, 0)):
         _, hard = resource.getrlimit(kind)
-        if kind == resource.RLIMIT_AS and most == 0:
+        if kind in (resource.RLIMIT_AS, resource.RLIMIT_CPU) and most == 0:
             continue
         most = most if hard == resource.RLIM_INFINITY else min(most, hard)
         # At the lower limit of time a signal says so; at the upper one there is no way on.
@@ -79,3 +80,64 @@ def run(command, limits, environment=None, folder=None):
         code = process.wait()
         timed_out = timed_out or code == -signal.SIGXCPU
         return Outcome(code, timed_out, _tail(output), _tail(errors), time.monotonic() - start)
+
+
+class Companion:
+    """A program that stays, and answers each line with a line. All that it is asked shares one
+    process: for code that is known, never for what was handed in. Where it crashes or is stopped,
+    the next line starts it anew."""
+
+    def __init__(self, command, limits, environment, folder):
+        self._command, self._environment, self._folder = command, environment, folder
+        self._limits = replace(limits, cpu_seconds=0)  # the clock's limit is of each line
+        self._process = None
+
+    def ask(self, line):
+        """The Outcome of one line: its output is the reply, and empty where the program gave
+        none."""
+        start = time.monotonic()
+        if self._process is None:
+            self._errors = tempfile.TemporaryFile()
+            self._process = subprocess.Popen(
+                self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._errors,
+                env=self._environment, cwd=self._folder, preexec_fn=lambda: _limit(self._limits))
+        try:
+            reply, timed_out = self._reply(line, start + self._limits.seconds)
+        except BaseException:  # the person pressed Ctrl-C
+            self.close()
+            raise
+        if reply:
+            return Outcome(0, False, reply, "", time.monotonic() - start)
+        code, errors = self.close()
+        return Outcome(code, timed_out, "", errors, time.monotonic() - start)
+
+    def _reply(self, line, deadline):
+        """The line that the program writes, and whether there was no time left for it."""
+        reply = b""
+        try:
+            self._process.stdin.write(line.encode() + b"\n")
+            self._process.stdin.flush()
+        except BrokenPipeError:
+            return "", False
+        while not reply.endswith(b"\n"):
+            left = max(0.0, deadline - time.monotonic())
+            if not select.select([self._process.stdout], [], [], left)[0]:
+                return "", True
+            read = os.read(self._process.stdout.fileno(), 1 << 20)
+            if not read:
+                return "", False
+            reply += read
+        return reply.decode(errors="replace"), False
+
+    def close(self):
+        """Ends the program. Its exit code, and what it wrote to standard error."""
+        if self._process is None:
+            return 0, ""
+        process, self._process = self._process, None
+        with self._errors, process.stdout:
+            try:
+                process.stdin.close()
+            except BrokenPipeError:
+                pass
+            _kill_all(process)
+            return process.wait(), _tail(self._errors)

@@ -1,7 +1,6 @@
 // The highlight of a lamp at the point `direction` on a surface at the ray's origin, which lies
 // flat. The eye looks down on it in step 1, and up from below in step 2.
 #include "light/highlight.glsl"
-#include "light/highlight.glsl"
 
 uvec4 checkpoint(Ray ray, int step) {
     Surface surface;

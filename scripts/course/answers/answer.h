@@ -4,10 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace raysteps {
@@ -23,13 +20,18 @@ struct Answer {
     std::vector<std::vector<Found>> steps;
 };
 
+using AnswerQuestion = std::function<Answer(const Question&)>;
+
 // Writes the answers to the questions of the job: for the programs course_builders and
 // course_shaders, which take the names of the two files as their arguments. The exit code; where it
-// is not 0, a sentence on standard error says why.
-int answer_job(int argc, char** argv, const std::function<Answer(const Question&)>& answer);
+// is not 0, a sentence on standard error says why. An answer is {"rays": [...], "steps": [...]}, in
+// integers.
+int answer_job(int argc, char** argv, const AnswerQuestion& answer);
 
-// As {"answers": [{"rays": [...], "steps": [...]}, ...]}, in integers. Throws InputError where the
-// file cannot be written.
-void write_answers(const std::filesystem::path& file, std::span<const Answer> answers);
+// Answers a job in each line of standard input with a line of standard output, until there are no
+// more. A line is a job with its own folders of shaders: {"shaders": "FOLDER:FOLDER", "questions":
+// [...]}. Its reply is {"answers": [...]}, or {"code": 3, "message": ...} with the exit code and
+// the sentence of a job that has no answer.
+void answer_jobs(const AnswerQuestion& answer);
 
 } // namespace raysteps

@@ -1,11 +1,11 @@
 #include "answer_builders.h"
 
-#include "basics/error.h"
 #include "basics/box.h"
-#include "structure/grid/grid.h"
+#include "basics/error.h"
 #include "structure/bvh/bvh.h"
-#include "structure/kd_tree/kd_split.h"
 #include "structure/bvh/bvh_split.h"
+#include "structure/grid/grid.h"
+#include "structure/kd_tree/kd_split.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,8 @@
 #include "answer_shaders.h"
 
-#include "basics/error.h"
 #include "basics/box.h"
+#include "basics/error.h"
+#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
@@ -14,9 +15,8 @@
 #include "render/trace_rays.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
-#include "basics/random_numbers.h"
-#include "structure/structure.h"
 #include "structure/padding.h"
+#include "structure/structure.h"
 
 #include <algorithm>
 #include <array>
@@ -146,15 +146,21 @@ Answer answer_rays(const Question& question) {
     return answer;
 }
 
+// Measured once: what one question leaves behind does not change them.
+const Limits& limits() {
+    static const Limits limits = measure_limits();
+    return limits;
+}
+
 Answer answer_picture(const Question& question) {
     const Scene scene = scene_of(question);
     SceneTextures textures = upload(question, scene, reach_of(scene.camera.eye, scene.corners));
     Image image;
     if (question.subject == "whitted") {
-        WhittedRenderer renderer(scene, std::move(textures), parts_of(question), measure_limits());
+        WhittedRenderer renderer(scene, std::move(textures), parts_of(question), limits());
         image = renderer.render(scene.camera, question.width, question.height, most_bounces);
     } else {
-        TraceRays trace(parts_of(question), measure_limits());
+        TraceRays trace(parts_of(question), limits());
         const RayTextures rays =
             generate_rays(scene.camera, question.width, question.height, RayGeneration::direct);
         image = show_hits(rays, trace.closest_hits(rays, textures), textures, scene.camera,

@@ -1,4 +1,5 @@
-// Answers the questions of a job by the shader parts as they stand (./course runs it).
+// Answers the questions of a job by the shader parts as they stand; without arguments, one job
+// after another in one context (./course runs it).
 #include "answer_shaders.h"
 #include "gpu/context.h"
 
@@ -6,10 +7,15 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     std::unique_ptr<Context> context;
-    return answer_job(argc, argv, [&](const Question& question) {
+    const auto answer = [&](const Question& question) {
         if (!context && question.kind != QuestionKind::difference) {
             context = make_context(ContextKind::osmesa);
         }
         return answer_by_shaders(question);
-    });
+    };
+    if (argc == 1) {
+        answer_jobs(answer);
+        return 0;
+    }
+    return answer_job(argc, argv, answer);
 }

@@ -1,7 +1,6 @@
 #include "question.h"
 
 #include "basics/error.h"
-#include "basics/file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,8 +12,6 @@ namespace raysteps {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::uintmax_t most_bytes = 64U << 20U;
 
 QuestionKind kind_of(const std::string& name) {
     static const std::map<std::string, QuestionKind> kinds{
@@ -77,19 +74,19 @@ Question question_of(const Json& json) {
 
 } // namespace
 
-std::vector<Question> read_questions(const std::filesystem::path& job) {
-    const std::string text = read_file(job, most_bytes);
-    std::vector<Question> questions;
+Job parse_job(const std::string& text, const std::string& place) {
+    Job job;
     try {
         const Json all = Json::parse(text);
+        job.shaders = all.value("shaders", std::string());
         for (const Json& json : all.at("questions")) {
-            questions.push_back(question_of(json));
+            job.questions.push_back(question_of(json));
         }
     } catch (const Json::exception& error) {
-        throw InputError(job.string() + ": is no job of questions (" + error.what() +
+        throw InputError(place + ": is no job of questions (" + error.what() +
                          "). Let ./course write it.");
     }
-    return questions;
+    return job;
 }
 
 } // namespace raysteps

@@ -47,9 +47,14 @@ struct Question {
     std::filesystem::path reference;  // the picture that it is held against, without its ending
 };
 
-// The questions of a job: {"questions": [{"kind": "checkpoint", "subject": ...}, ...]}, with the
-// names of the fields above. A ray is eight integers, the bits of its numbers.
-// Throws InputError with the file's name where it is not that.
-std::vector<Question> read_questions(const std::filesystem::path& job);
+// A job: {"questions": [{"kind": "checkpoint", "subject": ...}, ...]}, with the names of the fields
+// above. A ray is eight integers, the bits of its numbers.
+struct Job {
+    std::string shaders; // the folders that RAYSTEPS_SHADERS shall name; empty where none are given
+    std::vector<Question> questions;
+};
+
+// Throws InputError with the place, such as a file's name, where the text is no job.
+Job parse_job(const std::string& text, const std::string& place);
 
 } // namespace raysteps

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 # As CTest gives it: the program with its first options, parted by semicolons.
@@ -33,9 +33,12 @@ class CourseTest(unittest.TestCase):
         self.folder = Path(folder.name)
         self.workbook = self.folder / "workbook"
 
+    limits = ()  # options of ./course
+
     def course(self, *arguments, expect=0):
         """Runs ./course and returns what it printed; its exit code must be `expect`."""
-        done = subprocess.run([*COURSE, "--workbook", self.workbook, *map(str, arguments)],
+        done = subprocess.run([*COURSE, *self.limits, "--workbook", self.workbook,
+                               *map(str, arguments)],
                               stdin=subprocess.DEVNULL, capture_output=True, text=True,
                               check=False)
         self.assertEqual(done.returncode, expect, done.stdout + done.stderr)

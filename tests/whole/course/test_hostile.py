@@ -6,10 +6,9 @@ import time
 import unittest
 import zipfile
 
+from support import COURSE, CourseTest
 
-from support import CourseTest
-
-from course import check, engine, exercises, grade, sandbox, submission
+from course import check, command, engine, exercises, grade, sandbox, submission
 
 CROSS = "shaders/core/vector.glsl"
 MEDIAN = "common/structure/bvh/split_median.cpp"
@@ -61,6 +60,65 @@ class Sandbox(CourseTest):
         self.assertFalse((self.folder / "late").exists())
 
 
+class Companion(CourseTest):
+    """A program that stays, as the trials of the project's own code share one."""
+
+    ANSWERS = """while read -r line; do case $line in
+    crash) kill -SEGV $$ ;; hang) exec sleep 60 ;; end) echo lost >&2; exit 3 ;; *) echo $$ $line ;;
+    esac; done"""
+
+    def setUp(self):
+        super().setUp()
+        self.companion = sandbox.Companion(["/bin/sh", "-c", self.ANSWERS], sandbox.Limits(seconds=1),
+                                           {"PATH": os.environ["PATH"]}, self.folder)
+        self.addCleanup(self.companion.close)
+
+    def test_one_process_answers_every_line(self):
+        process, word = self.companion.ask("one").output.split()
+        self.assertEqual(word, "one")
+        self.assertEqual(self.companion.ask("two").output.split(), [process, "two"])
+        self.assertEqual(self.companion.ask("x" * 100_000).output.split(), [process, "x" * 100_000])
+
+    def test_what_ends_it_is_told_of_that_line_and_the_next_is_answered(self):
+        for line, code, timed_out, errors in (("crash", -11, False, ""), ("hang", -9, True, ""),
+                                              ("end", 3, False, "lost\n")):
+            outcome = self.companion.ask(line)
+            self.assertEqual((outcome.code, outcome.timed_out, outcome.output, outcome.errors),
+                             (code, timed_out, "", errors), line)
+            self.assertEqual(self.companion.ask("next").output.split()[1], "next")
+
+    def test_the_limits_hold(self):
+        companion = sandbox.Companion(["/bin/sh", "-c", "read -r line; ulimit -v"],
+                                      sandbox.Limits(memory_bytes=1 << 30), None, self.folder)
+        self.addCleanup(companion.close)
+        self.assertIn(str(1 << 20), companion.ask("").output)
+
+
+class Trials(CourseTest):
+    """Trials of the project's own code that crash or never end."""
+
+    def test_each_is_told_as_its_own_and_the_others_are_not_lost(self):
+        program = self.folder / "build" / "scripts" / "course" / "answers" / "course_shaders"
+        program.parent.mkdir(parents=True)
+        program.write_text("#!/bin/sh\nwhile read -r line; do case $line in *crash*) kill -SEGV $$ ;; "
+                           "*hang*) exec sleep 60 ;; *wrong*) echo '{\"code\": 3, \"message\": "
+                           "\"a.glsl does not compile.\"}' ;; "
+                           "*) echo '{\"answers\": [{\"rays\": [], \"steps\": []}]}' ;; esac; done\n")
+        program.chmod(0o755)
+        alone = engine.Engine(build=self.folder / "build", limits=sandbox.Limits(seconds=1))
+        with engine.with_companions(alone) as staying:
+            kinds = [getattr(engine.ask(staying, program, "01_rays", [{"subject": subject}]), "kind",
+                             "answered")
+                     for subject in ("right", "crash", "right", "hang", "right", "wrong", "right")]
+        self.assertEqual(kinds, ["answered", "crash", "answered", "time", "answered", "compile",
+                                 "answered"])
+
+    def test_what_was_handed_in_has_no_companion(self):
+        for words in (["check", "2.1"], ["grade", "handed in"]):
+            options = command._parser().parse_args([*COURSE[2:], *words])
+            self.assertIsNone(command._engine(options).companions)
+
+
 class Archives(CourseTest):
     def setUp(self):
         super().setUp()
@@ -94,12 +152,12 @@ class Archives(CourseTest):
     def test_a_link_in_a_folder_is_passed_over(self):
         handed_in = self.folder / "mallory"
         (handed_in / "shaders").mkdir(parents=True)
-        os.symlink("/etc", handed_in / "shaders/geometry")
+        os.symlink("/etc", handed_in / "shaders/core")
         secret = self.folder / "secret"
         secret.mkdir()
         (secret / "split_median.cpp").write_text("secret")
-        (handed_in / "common").mkdir()
-        os.symlink(secret, handed_in / "common/structure")
+        (handed_in / "common/structure").mkdir(parents=True)
+        os.symlink(secret, handed_in / "common/structure/bvh")
         self.assertEqual(self.unpacked(handed_in), [])
 
     def test_a_file_that_unpacks_to_gigabytes_is_cut_off_and_refused(self):
@@ -142,9 +200,11 @@ class Programs(CourseTest):
         self.assertNotIn("root:", printed)
 
     def test_a_builder_that_never_ends_is_stopped(self):
-        state, _ = self.state("6.5", "    volatile bool on = true;\n    while (on) {\n    }\n"
-                                     "    return BvhCut{0, range.items.size() / 2};")
+        self.limits = ("--seconds", "3")
+        state, printed = self.state("6.5", "    volatile bool on = true;\n    while (on) {\n    }\n"
+                                           "    return BvhCut{0, range.items.size() / 2};")
         self.assertEqual(state, "stopped")
+        self.assertIn("it may take 3 s, and 3 s of processors", printed)
 
     def test_a_builder_that_crashes_is_told(self):
         state, _ = self.state("6.5", "    if (range.items.size() > 1) {\n        __builtin_trap();\n"

@@ -114,7 +114,7 @@ class Student(CourseTest):
         self.course("reset", "4.2")
         self.assertIn("4.2 is a stub.", self.course("reset", "4.2"))
         kept = sorted(file.name for file in path.parent.glob("*.before_reset*"))
-        self.assertEqual(kept, ["grid_crossing.glsl.before_reset", "grid_crossing.glsl.before_reset_2"])
+        self.assertEqual(kept, ["grid_cells.glsl.before_reset", "grid_cells.glsl.before_reset_2"])
         self.assertIn("up ? last : 0", path.with_name(kept[0]).read_text())
         self.assertIn("low = 1;", path.with_name(kept[1]).read_text())
 
@@ -131,7 +131,7 @@ class Student(CourseTest):
 
     def test_show_names_task_file_and_source(self):
         shown = self.course("show", "4.2")
-        self.assertIn("grid_crossing.glsl:", shown)
+        self.assertIn("grid_cells.glsl:", shown)
         self.assertIn("Amanatides and Woo", shown)
         self.assertIn("u = p . s / det,   v = ", self.course("show", "2.2"))
 
