@@ -1,12 +1,14 @@
 #include "build_contest.h"
 
-#include "measure/stopwatch.h"
-#include "reference/embree/embree.h"
 #include "basics/error.h"
 #include "basics/text.h"
+#include "measure/stopwatch.h"
+#include "reference/embree/embree.h"
 #include "structure/bvh/build_bvh.h"
-#include "structure/bvh/family_bvh.h"
 #include "structure/bvh/bvh.h"
+#include "structure/bvh/family_bvh.h"
+
+#include <fmt/core.h>
 
 namespace raysteps {
 
@@ -25,7 +27,7 @@ double cost_of(const Scene& scene, const BvhOptions& options) {
 }
 
 std::string to_words(const MeasuredRange& range) {
-    return formatted("%5.0f (%.0f-%.0f)", range.median, range.lowest, range.highest);
+    return fmt::format("{:5.0f} ({:.0f}-{:.0f})", range.median, range.lowest, range.highest);
 }
 
 double ratio_of(const BuildContest& contest) {
@@ -66,13 +68,13 @@ BuildContest contest_builds(const Scene& scene, const BuildRequest& request, int
 }
 
 std::string to_table(const std::vector<BuildContest>& contests) {
-    std::string table = formatted("%-16s %10s %20s %20s %6s %8s\n", "scene", "triangles",
-                                  "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
+    std::string table =
+        fmt::format("{:16} {:>10} {:>20} {:>20} {:>6} {:>8}\n", "scene", "triangles",
+                    "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
     for (const BuildContest& contest : contests) {
-        table +=
-            formatted("%-16s %10zu %20s %20s %6.2f %8.4f\n", contest.scene.c_str(),
-                      contest.triangles, to_words(contest.ours).c_str(),
-                      to_words(contest.embrees).c_str(), ratio_of(contest), contest.cost_to_sweep);
+        table += fmt::format("{:16} {:10} {:>20} {:>20} {:6.2f} {:8.4f}\n", contest.scene,
+                             contest.triangles, to_words(contest.ours), to_words(contest.embrees),
+                             ratio_of(contest), contest.cost_to_sweep);
     }
     return table;
 }
@@ -81,9 +83,10 @@ std::string to_csv(const std::vector<BuildContest>& contests) {
     std::string csv = "scene,triangles,nanoseconds_a_triangle,embree_nanoseconds_a_triangle,"
                       "ratio,cost_to_sweep\n";
     for (const BuildContest& contest : contests) {
-        csv += csv_field(contest.scene) + formatted(",%zu,%.9g,%.9g,%.9g,%.9g\n", contest.triangles,
-                                                    contest.ours.median, contest.embrees.median,
-                                                    ratio_of(contest), contest.cost_to_sweep);
+        csv += csv_field(contest.scene) + fmt::format(",{},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                                                      contest.triangles, contest.ours.median,
+                                                      contest.embrees.median, ratio_of(contest),
+                                                      contest.cost_to_sweep);
     }
     return csv;
 }

@@ -1,7 +1,8 @@
 #include "claims.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -23,10 +24,8 @@ bool is_in_family(const std::string& structure, const std::string& family) {
 }
 
 std::string words_of(const ContestRow& row) {
-    char text[128];
-    std::snprintf(text, sizeof text, "%s %.3g (%.3g to %.3g)", row.contender.c_str(),
-                  row.rate.median, row.rate.lowest, row.rate.highest);
-    return text;
+    return fmt::format("{} {:.3g} ({:.3g} to {:.3g})", row.contender, row.rate.median,
+                       row.rate.lowest, row.rate.highest);
 }
 
 Verdict faster(const ContestRow& expected, const ContestRow& other) {

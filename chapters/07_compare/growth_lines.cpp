@@ -1,7 +1,8 @@
 #include "growth_lines.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -57,11 +58,9 @@ std::string to_table(std::span<const GrowthLine> lines) {
     }
     std::string table = "\nHow costs grow: cost = c * triangles^k\n";
     for (const GrowthLine& line : lines) {
-        char text[128];
-        std::snprintf(text, sizeof text, "%-21s %-13s k = %5.2f  (%.0f to %.0f triangles)\n",
-                      line.contender.c_str(), line.cost.c_str(), line.exponent,
-                      line.points.front().triangles, line.points.back().triangles);
-        table += text;
+        table += fmt::format("{:21} {:13} k = {:5.2f}  ({:.0f} to {:.0f} triangles)\n",
+                             line.contender, line.cost, line.exponent,
+                             line.points.front().triangles, line.points.back().triangles);
     }
     return table;
 }

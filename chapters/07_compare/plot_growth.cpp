@@ -2,6 +2,8 @@
 
 #include "image/plot.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -32,9 +34,7 @@ std::string name_of(const GrowthLine& line, std::span<const GrowthLine> lines) {
 }
 
 PlotLine plot_line(const GrowthLine& line, const std::string& name) {
-    char exponent[32];
-    std::snprintf(exponent, sizeof exponent, ", k = %.2f", line.exponent);
-    PlotLine drawn{name + exponent, {}};
+    PlotLine drawn{fmt::format("{}, k = {:.2f}", name, line.exponent), {}};
     for (const GrowthPoint& point : line.points) {
         drawn.points.push_back({point.triangles, point.cost});
     }

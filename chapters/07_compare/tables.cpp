@@ -2,6 +2,8 @@
 
 #include "basics/text.h"
 
+#include <fmt/core.h>
+
 namespace raysteps {
 
 namespace {
@@ -19,12 +21,12 @@ const ContestBuild& build_of(const SceneResult& result, const std::string& conte
 } // namespace
 
 std::string to_table(const SceneResult& result) {
-    std::string table = formatted("\n%s, %d triangle%s\n", result.scene.c_str(), result.triangles,
-                                  result.triangles == 1 ? "" : "s");
+    std::string table = fmt::format("\n{}, {} triangle{}\n", result.scene, result.triangles,
+                                    result.triangles == 1 ? "" : "s");
     table += "contender             build s    MB\n";
     for (const ContestBuild& build : result.builds) {
-        table += formatted("%-21s %7.3f %5.1f\n", build.contender.c_str(),
-                           fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
+        table += fmt::format("{:21} {:7.3f} {:5.1f}\n", build.contender,
+                             fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
     }
     table += "contender             rays             visits    tests  Mrays/s (range)          "
              "cores  other answers\n";
@@ -33,12 +35,13 @@ std::string to_table(const SceneResult& result) {
         const bool sampled = row.rays < row.all_rays;
         any_sampled = any_sampled || sampled;
         const std::string counts =
-            is_embree(row.contender) ? "       -        -"
-                                     : formatted("%8.1f %8.2f", row.visits_a_ray, row.tests_a_ray);
-        table += formatted("%-21s %-10s %7zu%s %s  %-7.3g (%.3g to %.3g)%*s%5.2f  %zu\n",
-                           row.contender.c_str(), row.kind.c_str(), row.rays, sampled ? "*" : " ",
-                           counts.c_str(), row.rate.median, row.rate.lowest, row.rate.highest, 2,
-                           "", row.cores, row.different);
+            is_embree(row.contender)
+                ? "       -        -"
+                : fmt::format("{:8.1f} {:8.2f}", row.visits_a_ray, row.tests_a_ray);
+        table += fmt::format("{:21} {:10} {:7}{} {}  {:<7.3g} ({:.3g} to {:.3g})  {:5.2f}  {}\n",
+                             row.contender, row.kind, row.rays, sampled ? "*" : " ", counts,
+                             row.rate.median, row.rate.lowest, row.rate.highest, row.cores,
+                             row.different);
     }
     if (any_sampled) {
         table += "* too slow for all rays in the time there is: runs of 64, from all over.\n";
@@ -53,13 +56,14 @@ std::string to_csv(std::span<const SceneResult> results) {
     for (const SceneResult& result : results) {
         for (const ContestRow& row : result.rows) {
             const ContestBuild& build = build_of(result, row.contender);
-            csv += csv_field(result.scene) +
-                   formatted(",%d,%s,%s,%zu,%zu,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.12g,%zu\n",
-                             result.triangles, row.contender.c_str(), row.kind.c_str(), row.rays,
-                             row.all_rays, row.visits_a_ray, row.tests_a_ray, row.rate.median,
-                             row.rate.lowest, row.rate.highest, row.cores,
-                             fact_of(build, "build_seconds"), fact_of(build, "memory_bytes"),
-                             row.different);
+            csv +=
+                csv_field(result.scene) +
+                fmt::format(
+                    ",{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.12g},{}\n",
+                    result.triangles, row.contender, row.kind, row.rays, row.all_rays,
+                    row.visits_a_ray, row.tests_a_ray, row.rate.median, row.rate.lowest,
+                    row.rate.highest, row.cores, fact_of(build, "build_seconds"),
+                    fact_of(build, "memory_bytes"), row.different);
         }
     }
     return csv;
@@ -70,9 +74,8 @@ std::string to_table(std::span<const ClaimResult> claims) {
     for (const ClaimResult& claim : claims) {
         table += "\"" + claim.claim + "\", " + claim.kind + ": " + to_words(claim.verdict) + "\n";
         for (const ClaimCase& one : claim.cases) {
-            table +=
-                formatted("    %-16s %-15s ", one.scene.c_str(), to_words(one.verdict).c_str()) +
-                one.numbers + "\n";
+            table += fmt::format("    {:16} {:15} ", one.scene, to_words(one.verdict)) +
+                     one.numbers + "\n";
         }
     }
     return table;

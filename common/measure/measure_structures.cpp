@@ -5,6 +5,8 @@
 #include "structure/padding.h"
 #include "structure/structure.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -149,11 +151,10 @@ std::string to_table(std::span<const StructureCosts> costs) {
         "structure        rays        visits/ray  tests/ray  million rays/s (range)\n";
     for (const StructureCosts& structure : costs) {
         for (const RayCosts& kind : structure.kinds) {
-            char line[160];
-            std::snprintf(line, sizeof line, "%-16s %-10s %11.2f %10.2f  %.3g (%.3g to %.3g)\n",
-                          structure.structure.c_str(), kind.kind.c_str(), kind.visits_a_ray,
-                          kind.tests_a_ray, kind.rate.median, kind.rate.lowest, kind.rate.highest);
-            table += line;
+            table +=
+                fmt::format("{:16} {:10} {:11.2f} {:10.2f}  {:.3g} ({:.3g} to {:.3g})\n",
+                            structure.structure, kind.kind, kind.visits_a_ray, kind.tests_a_ray,
+                            kind.rate.median, kind.rate.lowest, kind.rate.highest);
         }
     }
     return table;
