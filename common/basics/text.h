@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -41,6 +42,15 @@ std::string_view nearest_word(std::string_view text, const std::vector<std::stri
 
 // Throws InputError that names the file and the line where a zero byte shows that this is no text.
 void check_is_text(std::string_view text, const std::filesystem::path& path);
+
+// What printf would print, however long it is.
+template <class... Values>
+std::string formatted(const char* pattern, Values... values) {
+    const int length = std::snprintf(nullptr, 0, pattern, values...);
+    std::string text(static_cast<std::size_t>(length), '\0');
+    std::snprintf(text.data(), text.size() + 1, pattern, values...);
+    return text;
+}
 
 // A text as a field of a CSV file: in quotes where it holds commas, quotes or ends of lines
 // (RFC 4180).

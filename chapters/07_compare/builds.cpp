@@ -1,14 +1,18 @@
-#include "build_contest.h"
+#include "builds.h"
 
 #include "basics/error.h"
+#include "basics/file.h"
 #include "basics/text.h"
-#include "measure/stopwatch.h"
+#include "measure/contest.h"
+#include "program/progress.h"
 #include "reference/embree/embree.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/bvh.h"
 #include "structure/bvh/family_bvh.h"
 
 #include <fmt/core.h>
+
+#include <iostream>
 
 namespace raysteps {
 
@@ -47,30 +51,26 @@ BuildContest contest_builds(const Scene& scene, const BuildRequest& request, int
     options.threads = 1;
     EmbreeBuilder embree(boxes_of(scene.corners), {options.leaf_triangles, options.traversal_cost,
                                                    options.intersection_cost});
-    const double nanoseconds = 1e9 / static_cast<double>(triangles);
-    std::vector<double> ours;
-    std::vector<double> embrees;
-    for (int round = 0; round <= rounds; ++round) {
-        progress(static_cast<double>(round) / (rounds + 2));
-        const double own = seconds_of([&] { build_bvh(scene.corners, options); }).cpu;
-        embree.prepare();
-        const double embrees_own = seconds_of([&] { embree.build(); }).cpu;
-        if (round > 0) {
-            ours.push_back(own * nanoseconds);
-            embrees.push_back(embrees_own * nanoseconds);
-        }
-    }
+    const std::vector<Contender> contenders{
+        {.name = "ours", .run = [&] { build_bvh(scene.corners, options); }},
+        {.name = "Embree", .run = [&] { embree.build(); }, .prepare = [&] { embree.prepare(); }}};
+    const std::vector<ContestTimes> times =
+        run_contest(contenders, rounds, [&](double part_done) { progress(0.9 * part_done); });
+    const auto nanoseconds_per_triangle = [&](const Seconds& seconds) {
+        return seconds.cpu * 1e9 / static_cast<double>(triangles);
+    };
     BvhOptions sweep = options;
     sweep.split = BvhSplit::sweep;
     const double cost = cost_of(scene, options) / cost_of(scene, sweep);
     progress(1.0);
-    return {scene.name, triangles, measured_range(ours), measured_range(embrees), cost};
+    return {scene.name, triangles, over_rounds(times[0], nanoseconds_per_triangle),
+            over_rounds(times[1], nanoseconds_per_triangle), cost};
 }
 
 std::string to_table(const std::vector<BuildContest>& contests) {
     std::string table =
         fmt::format("{:16} {:>10} {:>20} {:>20} {:>6} {:>8}\n", "scene", "triangles",
-                    "ours, ns a triangle", "rtcBuildBVH", "ratio", "cost");
+                    "ours, ns/triangle", "rtcBuildBVH", "ratio", "cost");
     for (const BuildContest& contest : contests) {
         table += fmt::format("{:16} {:10} {:>20} {:>20} {:6.2f} {:8.4f}\n", contest.scene,
                              contest.triangles, to_words(contest.ours), to_words(contest.embrees),
@@ -80,7 +80,7 @@ std::string to_table(const std::vector<BuildContest>& contests) {
 }
 
 std::string to_csv(const std::vector<BuildContest>& contests) {
-    std::string csv = "scene,triangles,nanoseconds_a_triangle,embree_nanoseconds_a_triangle,"
+    std::string csv = "scene,triangles,nanoseconds_per_triangle,embree_nanoseconds_per_triangle,"
                       "ratio,cost_to_sweep\n";
     for (const BuildContest& contest : contests) {
         csv += csv_field(contest.scene) + fmt::format(",{},{:.9g},{:.9g},{:.9g},{:.9g}\n",
@@ -89,6 +89,28 @@ std::string to_csv(const std::vector<BuildContest>& contests) {
                                                       contest.cost_to_sweep);
     }
     return csv;
+}
+
+void run_builds(const Command& command, const Comparison& comparison) {
+    if (embree_name().empty()) {
+        throw MachineError("--builds: this program was built without Embree. Install the package "
+                           "libembree-dev, and build again.");
+    }
+    std::vector<BuildContest> contests;
+    for (const std::string& name : comparison.scenes) {
+        Command own = command;
+        own.scene = name;
+        const Scene scene = open_scene(own);
+        contests.push_back(contest_builds(scene, {.values = command.build_values},
+                                          comparison.rounds, show_progress("building " + name)));
+    }
+    std::cout << "A BVH by our builder and by " << embree_name()
+              << ", one thread each: median processor time of " << comparison.rounds
+              << " rounds, and its range\n"
+              << to_table(contests) << "(cost: expected cost per ray, over that of a full sweep)\n";
+    const std::filesystem::path path = command.out / "builds.csv";
+    write_file(path, to_csv(contests));
+    std::cout << "wrote     " << path.string() << "\n";
 }
 
 } // namespace raysteps
