@@ -1,11 +1,11 @@
 #include "plot_resolution.h"
 
+#include "basics/error.h"
+#include "image/plot.h"
+#include "measure/measure_structures.h"
 #include "program/deliver.h"
 #include "program/progress.h"
 #include "program/tracing_options.h"
-#include "basics/error.h"
-#include "measure/measure_structures.h"
-#include "image/plot.h"
 #include "structure/structure.h"
 
 #include <iostream>
@@ -47,16 +47,15 @@ void plot_resolution(const Command& command, const Scene& scene) {
                                .width = command.width,
                                .height = command.height};
         request.build_values["resolution"] = std::to_string(resolution);
-        const std::vector<StructureCosts> costs =
-            measure_structures(scene, request, limits, [](double) {});
-        const RayCosts& primary = costs.front().kinds.front();
-        visits.points.push_back({static_cast<double>(resolution), primary.visits_a_ray});
-        tests.points.push_back({static_cast<double>(resolution), primary.tests_a_ray});
+        const SceneCosts costs = StructureContest(request, limits).measure(scene, [](double) {});
+        const RayCosts& primary = costs.rays.front();
+        visits.points.push_back({static_cast<double>(resolution), primary.visits_per_ray});
+        tests.points.push_back({static_cast<double>(resolution), primary.tests_per_ray});
         time.points.push_back({static_cast<double>(resolution), 1000.0 / primary.rate.median});
         numbers.push_back({{"resolution", resolution},
-                           {"visits_a_ray", primary.visits_a_ray},
-                           {"tests_a_ray", primary.tests_a_ray},
-                           {"nanoseconds_a_ray", 1000.0 / primary.rate.median}});
+                           {"visits_per_ray", primary.visits_per_ray},
+                           {"tests_per_ray", primary.tests_per_ray},
+                           {"nanoseconds_per_ray", 1000.0 / primary.rate.median}});
     }
     progress(1.0);
     const std::filesystem::path path = command.out / (picture_name(command) + "_resolution.png");

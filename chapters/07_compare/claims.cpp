@@ -1,7 +1,11 @@
 #include "claims.h"
 
+#include "gpu/shaders.h"
+
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
+#include <fstream>
 
 namespace raysteps {
 
@@ -13,58 +17,58 @@ const std::string bvh = "bvh";
 
 // The rates of the three families in one scene.
 struct Rivals {
-    ContestRow grid;
-    ContestRow kd;
-    ContestRow bvh;
+    RayCosts grid;
+    RayCosts kd;
+    RayCosts bvh;
 };
 
 bool is_in_family(const std::string& structure, const std::string& family) {
     return structure == family || structure.starts_with(family + "_");
 }
 
-std::string words_of(const ContestRow& row) {
-    char text[128];
-    std::snprintf(text, sizeof text, "%s %.3g (%.3g to %.3g)", row.contender.c_str(),
-                  row.rate.median, row.rate.lowest, row.rate.highest);
-    return text;
+std::string words_of(const RayCosts& row) {
+    return fmt::format("{} {:.3g} ({:.3g} to {:.3g})", row.contender, row.rate.median,
+                       row.rate.lowest, row.rate.highest);
 }
 
-Verdict faster(const ContestRow& expected, const ContestRow& other) {
+ClaimVerdict faster(const RayCosts& expected, const RayCosts& other) {
     if (is_faster(expected.rate, other.rate)) {
-        return Verdict::holds;
+        return ClaimVerdict::holds;
     }
-    return is_faster(other.rate, expected.rate) ? Verdict::does_not_hold : Verdict::ranges_overlap;
+    return is_faster(other.rate, expected.rate) ? ClaimVerdict::does_not_hold
+                                                : ClaimVerdict::ranges_overlap;
 }
 
 // Of two verdicts that both have to hold.
-Verdict both(Verdict a, Verdict b) {
-    if (a == Verdict::does_not_hold || b == Verdict::does_not_hold) {
-        return Verdict::does_not_hold;
+ClaimVerdict both(ClaimVerdict a, ClaimVerdict b) {
+    if (a == ClaimVerdict::does_not_hold || b == ClaimVerdict::does_not_hold) {
+        return ClaimVerdict::does_not_hold;
     }
-    return a == b ? a : Verdict::ranges_overlap;
+    return a == b ? a : ClaimVerdict::ranges_overlap;
 }
 
-Verdict opposite(Verdict verdict) {
-    if (verdict == Verdict::ranges_overlap) {
+ClaimVerdict opposite(ClaimVerdict verdict) {
+    if (verdict == ClaimVerdict::ranges_overlap) {
         return verdict;
     }
-    return verdict == Verdict::holds ? Verdict::does_not_hold : Verdict::holds;
+    return verdict == ClaimVerdict::holds ? ClaimVerdict::does_not_hold : ClaimVerdict::holds;
 }
 
-Verdict grid_slowest(const std::string& scene, const Rivals& rivals) {
-    const Verdict slowest = both(faster(rivals.kd, rivals.grid), faster(rivals.bvh, rivals.grid));
+ClaimVerdict grid_slowest(const std::string& scene, const Rivals& rivals) {
+    const ClaimVerdict slowest =
+        both(faster(rivals.kd, rivals.grid), faster(rivals.bvh, rivals.grid));
     return is_single_object(scene) ? opposite(slowest) : slowest;
 }
 
-Verdict kd_before_grid(const std::string&, const Rivals& rivals) {
+ClaimVerdict kd_before_grid(const std::string&, const Rivals& rivals) {
     return faster(rivals.kd, rivals.grid);
 }
 
-Verdict bvh_fastest(const std::string&, const Rivals& rivals) {
+ClaimVerdict bvh_fastest(const std::string&, const Rivals& rivals) {
     return both(faster(rivals.bvh, rivals.grid), faster(rivals.bvh, rivals.kd));
 }
 
-std::optional<Rivals> rivals_of(const SceneResult& result, const std::string& kind) {
+std::optional<Rivals> rivals_of(const SceneCosts& result, const std::string& kind) {
     const auto best_grid = best_of_family(result, kind, grid);
     const auto best_kd = best_of_family(result, kind, kd);
     const auto best_bvh = best_of_family(result, kind, bvh);
@@ -78,7 +82,7 @@ enum class Quantifier { all, most };
 
 struct SpeedClaim {
     std::string words;
-    Verdict (*judge)(const std::string& scene, const Rivals& rivals);
+    ClaimVerdict (*judge)(const std::string& scene, const Rivals& rivals);
     Quantifier quantifier;
 };
 
@@ -88,30 +92,18 @@ const std::vector<SpeedClaim> speed_claims{
     {"the BVH is the fastest", bvh_fastest, Quantifier::all},
 };
 
-Verdict sum_up(const std::vector<ClaimCase>& cases, Quantifier quantifier) {
-    const auto count = [&](Verdict verdict) {
+ClaimVerdict sum_up(const std::vector<ClaimCase>& cases, Quantifier quantifier) {
+    const auto count = [&](ClaimVerdict verdict) {
         return std::count_if(cases.begin(), cases.end(),
                              [&](const ClaimCase& one) { return one.verdict == verdict; });
     };
-    const auto in_favour = count(Verdict::holds);
-    const auto against = count(Verdict::does_not_hold);
+    const auto in_favour = count(ClaimVerdict::holds);
+    const auto against = count(ClaimVerdict::does_not_hold);
     if (in_favour + against == 0) {
-        return Verdict::ranges_overlap;
+        return ClaimVerdict::ranges_overlap;
     }
     const bool holds = quantifier == Quantifier::all ? against == 0 : in_favour > against;
-    return holds ? Verdict::holds : Verdict::does_not_hold;
-}
-
-std::vector<std::string> kinds_of(std::span<const SceneResult> results) {
-    std::vector<std::string> kinds;
-    for (const SceneResult& result : results) {
-        for (const ContestRow& row : result.rows) {
-            if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end()) {
-                kinds.push_back(row.kind);
-            }
-        }
-    }
-    return kinds;
+    return holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
 }
 
 const ProgramLength* shortest_of(std::span<const ProgramLength> programs,
@@ -126,19 +118,51 @@ const ProgramLength* shortest_of(std::span<const ProgramLength> programs,
     return shortest;
 }
 
-} // namespace
-
-std::string to_words(Verdict verdict) {
-    if (verdict == Verdict::ranges_overlap) {
-        return "ranges overlap";
-    }
-    return verdict == Verdict::holds ? "holds" : "does not hold";
+std::vector<std::string> files_of(const std::string& structure) {
+    return read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
+                                                 {"triangle", find_part("triangle", "watertight")},
+                                                 {"structure", find_part("structure", structure)},
+                                                 {"observer", "observer/none.glsl"}})
+        .files;
 }
 
-std::optional<ContestRow> best_of_family(const SceneResult& result, const std::string& kind,
-                                         const std::string& family) {
-    std::optional<ContestRow> best;
-    for (const ContestRow& row : result.rows) {
+int count_lines(const std::string& file) {
+    std::ifstream text(shader_folder() / file);
+    int lines = 0;
+    std::string line;
+    while (std::getline(text, line)) {
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const bool says_something = begin != std::string::npos && line.compare(begin, 2, "//") != 0;
+        lines += says_something ? 1 : 0;
+    }
+    return lines;
+}
+
+} // namespace
+
+std::vector<std::string> kinds_of(std::span<const SceneCosts> results) {
+    std::vector<std::string> kinds;
+    for (const SceneCosts& result : results) {
+        for (const RayCosts& row : result.rays) {
+            if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end()) {
+                kinds.push_back(row.kind);
+            }
+        }
+    }
+    return kinds;
+}
+
+std::string to_words(ClaimVerdict verdict) {
+    if (verdict == ClaimVerdict::ranges_overlap) {
+        return "ranges overlap";
+    }
+    return verdict == ClaimVerdict::holds ? "holds" : "does not hold";
+}
+
+std::optional<RayCosts> best_of_family(const SceneCosts& result, const std::string& kind,
+                                       const std::string& family) {
+    std::optional<RayCosts> best;
+    for (const RayCosts& row : result.rays) {
         if (row.kind == kind && is_in_family(row.contender, family) &&
             (!best || row.rate.median > best->rate.median)) {
             best = row;
@@ -152,13 +176,13 @@ bool is_single_object(const std::string& scene) {
     return name == "compact" || name == "bunny";
 }
 
-std::vector<ClaimResult> judge_speed(std::span<const SceneResult> results) {
+std::vector<ClaimResult> judge_speed(std::span<const SceneCosts> results) {
     std::vector<ClaimResult> judged;
     const std::vector<std::string> kinds = kinds_of(results);
     for (const SpeedClaim& claim : speed_claims) {
         for (const std::string& kind : kinds) {
             ClaimResult result{.claim = claim.words, .kind = kind};
-            for (const SceneResult& scene : results) {
+            for (const SceneCosts& scene : results) {
                 if (const auto rivals = rivals_of(scene, kind)) {
                     result.cases.push_back({scene.scene, claim.judge(scene.scene, *rivals),
                                             words_of(rivals->grid) + ", " + words_of(rivals->kd) +
@@ -188,9 +212,21 @@ ClaimResult judge_simplicity(std::span<const ProgramLength> programs) {
         numbers += (numbers.empty() ? "" : ", ") + program->structure + " " +
                    std::to_string(program->lines);
     }
-    result.verdict = own->lines == shortest->lines ? Verdict::holds : Verdict::does_not_hold;
+    result.verdict =
+        own->lines == shortest->lines ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
     result.cases.push_back({"every scene", result.verdict, numbers});
     return result;
+}
+
+ProgramLength program_length(const std::string& structure) {
+    const std::vector<std::string> common = files_of("every_triangle");
+    ProgramLength length{structure, 0};
+    for (const std::string& file : files_of(structure)) {
+        if (std::find(common.begin(), common.end(), file) == common.end()) {
+            length.lines += count_lines(file);
+        }
+    }
+    return length;
 }
 
 } // namespace raysteps

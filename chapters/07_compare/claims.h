@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/contest.h"
+#include "measure/measure_structures.h"
 
 #include <optional>
 #include <span>
@@ -9,15 +9,15 @@
 
 namespace raysteps {
 
-enum class Verdict { holds, does_not_hold, ranges_overlap };
+enum class ClaimVerdict { holds, does_not_hold, ranges_overlap };
 
 // `holds`, `does not hold`, `ranges overlap`
-std::string to_words(Verdict verdict);
+std::string to_words(ClaimVerdict verdict);
 
-// One scene that speaks for or against a claim, with the numbers that decide.
+// One scene for or against a claim, with the numbers that decide.
 struct ClaimCase {
     std::string scene;
-    Verdict verdict = Verdict::ranges_overlap;
+    ClaimVerdict verdict = ClaimVerdict::ranges_overlap;
     std::string numbers;
 };
 
@@ -25,14 +25,17 @@ struct ClaimCase {
 struct ClaimResult {
     std::string claim;
     std::string kind;
-    Verdict verdict = Verdict::ranges_overlap;
+    ClaimVerdict verdict = ClaimVerdict::ranges_overlap;
     std::vector<ClaimCase> cases{};
 };
 
+// The kinds of rays, in the order in which they first appear.
+std::vector<std::string> kinds_of(std::span<const SceneCosts> results);
+
 // The fastest walk of a family (`kd` of kd_restart, kd_ropes ...) for rays of a kind; nothing where
 // none took part.
-std::optional<ContestRow> best_of_family(const SceneResult& result, const std::string& kind,
-                                         const std::string& family);
+std::optional<RayCosts> best_of_family(const SceneCosts& result, const std::string& kind,
+                                       const std::string& family);
 
 // Whether a scene is the exception that the paper makes for the grid: a single object, neither
 // dense knots nor surroundings.
@@ -47,13 +50,18 @@ bool is_single_object(const std::string& scene);
 // family took no part, the verdict is that ranges overlap.
 // Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010,
 // conclusion.
-std::vector<ClaimResult> judge_speed(std::span<const SceneResult> results);
+std::vector<ClaimResult> judge_speed(std::span<const SceneCosts> results);
 
-// A walk, and how many lines of GLSL it needs over those of the loop over every triangle.
+// A walk, and how many lines of GLSL it needs over those of the loop over every triangle: those of
+// all files that its program includes and that loop's does not, without comments and empty lines.
+// The builders are not counted.
 struct ProgramLength {
     std::string structure;
     int lines = 0;
 };
+
+// Throws InputError where there is no such structure.
+ProgramLength program_length(const std::string& structure);
 
 // And of simplicity: the BVH is the simplest, by the shortest program of each family.
 ClaimResult judge_simplicity(std::span<const ProgramLength> programs);

@@ -1,8 +1,8 @@
 // Chapter 07: all structures and all walks in one run, and Embree beside them.
+#include "builds.h"
 #include "program/command.h"
 #include "program/show_trace.h"
 #include "program/tracing_options.h"
-#include "run_builds.h"
 #include "run_comparison.h"
 
 using namespace raysteps;

@@ -1,20 +1,202 @@
 #include "run_comparison.h"
 
+#include "basics/file.h"
+#include "basics/text.h"
+#include "claims.h"
+#include "growth.h"
+#include "measure/measure_structures.h"
+#include "program/deliver.h"
 #include "program/progress.h"
 #include "program/tracing_options.h"
-#include "measure/contest.h"
-#include "program_length.h"
-#include "tables.h"
-#include "reference/embree/embree.h"
-#include "basics/file.h"
-#include "numbers.h"
-#include "plot_growth.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <iostream>
 
 namespace raysteps {
 
 namespace {
+
+// All that a run found out.
+struct ComparisonReport {
+    std::vector<SceneCosts> results;
+    std::vector<ClaimResult> claims;
+    std::vector<GrowthLine> growth{};
+    std::string renderer{};
+    std::string embree{}; // its name; empty where it took no part
+};
+
+const BuildCosts& build_of(const SceneCosts& result, const std::string& contender) {
+    static const BuildCosts unknown{};
+    for (const BuildCosts& build : result.builds) {
+        if (build.contender == contender) {
+            return build;
+        }
+    }
+    return unknown;
+}
+
+// For people: what each contender took to build, then one line per kind and contender. A star marks
+// rates of a part of the rays.
+std::string table_of(const SceneCosts& result) {
+    std::string table = fmt::format("\n{}, {} triangle{}\n", result.scene, result.triangles,
+                                    result.triangles == 1 ? "" : "s");
+    table += "contender             build s    MB\n";
+    for (const BuildCosts& build : result.builds) {
+        table += fmt::format("{:21} {:7.3f} {:5.1f}\n", build.contender,
+                             fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
+    }
+    table += "contender             rays             visits    tests  Mrays/s (range)          "
+             "cores  other answers\n";
+    bool any_sampled = false;
+    for (const RayCosts& row : result.rays) {
+        const bool sampled = row.rays < row.all_rays;
+        any_sampled = any_sampled || sampled;
+        const std::string counts =
+            is_embree(row.contender)
+                ? "       -        -"
+                : fmt::format("{:8.1f} {:8.2f}", row.visits_per_ray, row.tests_per_ray);
+        table += fmt::format("{:21} {:10} {:7}{} {}  {:<7.3g} ({:.3g} to {:.3g})  {:5.2f}  {}\n",
+                             row.contender, row.kind, row.rays, sampled ? "*" : " ", counts,
+                             row.rate.median, row.rate.lowest, row.rate.highest, row.cores,
+                             row.different);
+    }
+    if (any_sampled) {
+        table += "* too slow for all rays in the time there is: runs of 64, from all over.\n";
+    }
+    return table;
+}
+
+// For programs: a line of names, then one line per scene, contender and kind.
+std::string to_csv(std::span<const SceneCosts> results) {
+    std::string csv = "scene,triangles,contender,rays,count,of,visits_per_ray,tests_per_ray,"
+                      "million_rays_per_second,lowest,highest,cores,build_seconds,memory_bytes,"
+                      "other_answers\n";
+    for (const SceneCosts& result : results) {
+        for (const RayCosts& row : result.rays) {
+            const BuildCosts& build = build_of(result, row.contender);
+            csv +=
+                csv_field(result.scene) +
+                fmt::format(
+                    ",{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.12g},{}\n",
+                    result.triangles, row.contender, row.kind, row.rays, row.all_rays,
+                    row.visits_per_ray, row.tests_per_ray, row.rate.median, row.rate.lowest,
+                    row.rate.highest, row.cores, fact_of(build, "build_seconds"),
+                    fact_of(build, "memory_bytes"), row.different);
+        }
+    }
+    return csv;
+}
+
+// The verdicts, each with its cases and numbers.
+std::string table_of(std::span<const ClaimResult> claims) {
+    std::string table;
+    for (const ClaimResult& claim : claims) {
+        table += "\"" + claim.claim + "\", " + claim.kind + ": " + to_words(claim.verdict) + "\n";
+        for (const ClaimCase& one : claim.cases) {
+            table += fmt::format("    {:16} {:15} ", one.scene, to_words(one.verdict)) +
+                     one.numbers + "\n";
+        }
+    }
+    return table;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json row_numbers(const RayCosts& row) {
+    Json numbers{{"contender", row.contender}, {"rays", row.rays},
+                 {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
+                 {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
+                 {"cores", row.cores},         {"other_answers", row.different}};
+    if (!is_embree(row.contender)) {
+        numbers["visits_per_ray"] = row.visits_per_ray;
+        numbers["tests_per_ray"] = row.tests_per_ray;
+    }
+    return numbers;
+}
+
+// The rows of one kind, our best walk among them, and its ratio to Embree.
+Json kind_numbers(const SceneCosts& result, const std::string& kind) {
+    Json numbers{{"kind", kind}, {"walks", Json::array()}};
+    for (const RayCosts& row : result.rays) {
+        if (row.kind == kind) {
+            numbers["walks"].push_back(row_numbers(row));
+        }
+    }
+    if (const RayCosts* const best = fastest_walk(result, kind)) {
+        numbers["best_walk"] = best->contender;
+    }
+    if (const auto ratio = ratio_to_embree(result, kind)) {
+        numbers["ratio_to_embree"] = ratio->by_clock;
+        numbers["ratio_by_cpu_time"] = ratio->by_cpu;
+    }
+    return numbers;
+}
+
+Json scene_numbers(const SceneCosts& result) {
+    Json builds = Json::array();
+    for (const BuildCosts& build : result.builds) {
+        Json facts = Json::object();
+        for (const Fact& fact : build.facts) {
+            facts[fact.name] = fact.value;
+        }
+        builds.push_back({{"contender", build.contender}, {"facts", facts}});
+    }
+    Json kinds = Json::array();
+    for (const std::string& kind : kinds_of(std::span(&result, 1))) {
+        kinds.push_back(kind_numbers(result, kind));
+    }
+    return {{"scene", result.scene},
+            {"triangles", result.triangles},
+            {"structures", builds},
+            {"rays", kinds}};
+}
+
+Json claim_numbers(const ClaimResult& claim) {
+    Json cases = Json::array();
+    for (const ClaimCase& one : claim.cases) {
+        cases.push_back(
+            {{"scene", one.scene}, {"verdict", to_words(one.verdict)}, {"numbers", one.numbers}});
+    }
+    return {{"claim", claim.claim},
+            {"by", claim.kind},
+            {"verdict", to_words(claim.verdict)},
+            {"cases", cases}};
+}
+
+Json growth_numbers(const GrowthLine& line) {
+    Json points = Json::array();
+    for (const GrowthPoint& point : line.points) {
+        points.push_back({{"triangles", point.triangles}, {"cost", point.cost}});
+    }
+    return {{"contender", line.contender},
+            {"cost", line.cost},
+            {"exponent", line.exponent},
+            {"points", points}};
+}
+
+// For programs: per scene and kind of rays the rates of all contenders, our best walk, and its
+// ratio to Embree by single rays where that took part; then claims and growth.
+Json to_json(const ComparisonReport& report) {
+    Json scenes = Json::array();
+    for (const SceneCosts& result : report.results) {
+        scenes.push_back(scene_numbers(result));
+    }
+    Json claims = Json::array();
+    for (const ClaimResult& claim : report.claims) {
+        claims.push_back(claim_numbers(claim));
+    }
+    Json growth = Json::array();
+    for (const GrowthLine& line : report.growth) {
+        growth.push_back(growth_numbers(line));
+    }
+    return {{"renderer", report.renderer},
+            {"embree", report.embree},
+            {"scenes", scenes},
+            {"claims", claims},
+            {"growth", growth}};
+}
 
 std::vector<std::string> scenes_of(const Comparison& comparison) {
     std::vector<std::string> scenes = comparison.scenes;
@@ -30,21 +212,23 @@ Scene open(Command command, const std::string& scene) {
     return open_scene(command);
 }
 
-std::vector<SceneResult> measure_scenes(const Command& command, const Comparison& comparison) {
-    Contest contest({.structures = comparison.structures,
-                     .build_values = command.build_values,
-                     .triangle = command.triangle,
-                     .embree = comparison.embree_part,
-                     .width = command.width,
-                     .height = command.height,
-                     .rounds = comparison.rounds,
-                     .most_seconds = comparison.most_seconds},
-                    measure_limits());
-    std::vector<SceneResult> results;
+std::vector<SceneCosts> measure_scenes(const Command& command, const Comparison& comparison) {
+    StructureContest contest({.structures = comparison.structures,
+                              .build_values = command.build_values,
+                              .triangle = command.triangle,
+                              .kinds = {"primary", "shadow", "reflection", "bounce"},
+                              .embree = comparison.embree_part,
+                              .judge = "bvh_ordered",
+                              .width = command.width,
+                              .height = command.height,
+                              .rounds = comparison.rounds,
+                              .most_seconds = comparison.most_seconds},
+                             measure_limits());
+    std::vector<SceneCosts> results;
     for (const std::string& name : scenes_of(comparison)) {
         const Scene scene = open(command, name);
         results.push_back(contest.measure(scene, show_progress("measuring " + name)));
-        std::cout << to_table(results.back()) << std::flush;
+        std::cout << table_of(results.back()) << std::flush;
     }
     return results;
 }
@@ -64,10 +248,11 @@ void run_comparison(const Command& command, const Comparison& comparison) {
                       ? "Embree    " + embree_name() + ", beside ours\n"
                       : "Embree    takes no part (to have it: the package libembree-dev, and "
                         "--embree auto)\n");
-    Report report{.results = measure_scenes(command, comparison),
-                  .claims = {},
-                  .renderer = renderer_name(),
-                  .embree = comparison.embree_part != EmbreePart::none ? embree_name() : ""};
+    ComparisonReport report{.results = measure_scenes(command, comparison),
+                            .claims = {},
+                            .renderer = renderer_name(),
+                            .embree =
+                                comparison.embree_part != EmbreePart::none ? embree_name() : ""};
     std::vector<ProgramLength> programs;
     for (const std::string& structure : comparison.structures) {
         programs.push_back(program_length(structure));
@@ -76,16 +261,13 @@ void run_comparison(const Command& command, const Comparison& comparison) {
     report.claims.push_back(judge_simplicity(programs));
     report.growth = growth_lines(report.results, "sphereflake");
     std::cout << "\nThe paper's claims (Mrays/s of the fastest walk of each family)\n"
-              << to_table(report.claims) << to_table(report.growth) << "\n";
+              << table_of(report.claims) << to_table(report.growth) << "\n";
 
     const std::string numbers = to_json(report).dump(2) + "\n";
     write(command.out / "compare.csv", to_csv(report.results));
     write(command.out / "compare.json", numbers);
-    if (command.out == std::filesystem::path("out") / command.chapter) {
-        write(std::filesystem::path("out") / "07" / "compare.json", numbers);
-    }
     deliver_numbers(command, to_json(report));
-    plot_growth(command, report.growth);
+    plot_growth(command.out, report.growth);
 }
 
 } // namespace raysteps

@@ -1,8 +1,9 @@
 #include "fault_rate.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -32,14 +33,10 @@ FaultRate fault_rate(std::size_t count, std::size_t of) {
 }
 
 std::string to_string(const FaultRate& rate) {
-    char text[96];
     if (rate.counted == 0.0) {
-        std::snprintf(text, sizeof text, "0 (<%.0f)", std::ceil(rate.highest));
-    } else {
-        std::snprintf(text, sizeof text, "%.0f (%.0f to %.0f)", rate.counted, rate.lowest,
-                      rate.highest);
+        return fmt::format("0 (<{:.0f})", std::ceil(rate.highest));
     }
-    return text;
+    return fmt::format("{:.0f} ({:.0f} to {:.0f})", rate.counted, rate.lowest, rate.highest);
 }
 
 Fault total_fault(const Findings& findings) {

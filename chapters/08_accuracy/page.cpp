@@ -1,9 +1,11 @@
 #include "page.h"
 
-#include "page_plots.h"
 #include "base64.h"
 #include "basics/text.h"
+#include "page_plots.h"
 #include "scatter_plot.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -59,9 +61,9 @@ std::string advice_table(const std::vector<Advice>& advice) {
 std::string fault_cells(const Findings& findings, std::size_t columns) {
     std::string html;
     for (const Fault& fault : findings.faults) {
-        html += formatted("<td class='%s'>", fault.count == 0 ? "good" : "bad") +
+        html += fmt::format("<td class='{}'>", fault.count == 0 ? "good" : "bad") +
                 escaped(to_string(fault_rate(fault.count, fault.of))) +
-                formatted("</td><td>%zu of %zu</td>", fault.count, fault.of);
+                fmt::format("</td><td>{} of {}</td>", fault.count, fault.of);
     }
     for (std::size_t i = findings.faults.size(); i < columns; ++i) {
         html += "<td></td><td></td>";
@@ -86,20 +88,20 @@ std::vector<std::string> fault_names(const KnobResult& result, const std::string
 std::string measures_cell(const Findings& findings) {
     std::string text;
     for (const Measure& measure : findings.measures) {
-        text += (text.empty() ? "" : ", ") + measure.name + formatted(" %.5g", measure.value);
+        text += (text.empty() ? "" : ", ") + measure.name + fmt::format(" {:.5g}", measure.value);
     }
     return "<td class='left'>" + escaped(text) + "</td>";
 }
 
 std::string measurement_row(const KnobResult& result, const Measurement& one, std::size_t columns) {
     std::string html = "<tr><td>" + escaped(one.method) + "</td>" +
-                       formatted("<td>%.4g</td><td>%.4g to %.4g</td>", one.cost.median,
-                                 one.cost.lowest, one.cost.highest) +
+                       fmt::format("<td>{:.4g}</td><td>{:.4g} to {:.4g}</td>", one.cost.median,
+                                   one.cost.lowest, one.cost.highest) +
                        fault_cells(one.findings, columns);
     if (!result.unit_of_error.empty()) {
         const auto& error = one.findings.error;
-        html += error ? formatted("<td>%.3g</td><td>%.3g</td><td>%.3g</td>", error->median,
-                                  error->percentile_99, error->largest)
+        html += error ? fmt::format("<td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td>", error->median,
+                                    error->percentile_99, error->largest)
                       : "<td></td><td></td><td></td>";
     }
     return html + measures_cell(one.findings) + "</tr>\n";

@@ -1,9 +1,10 @@
 #include "page_plots.h"
 
-#include "verdict.h"
 #include "scatter_plot.h"
+#include "verdict.h"
 
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <functional>
 
 namespace raysteps {
@@ -15,10 +16,8 @@ using Height = std::function<std::optional<FaultRate>(const MethodSummary&)>;
 
 std::string hint_of(const MethodSummary& method, const FaultRate& height,
                     const std::string& y_label) {
-    char text[256];
-    std::snprintf(text, sizeof text, ": %.4g ns (%.4g to %.4g), ", method.cost.median,
-                  method.cost.lowest, method.cost.highest);
-    return method.method + text + to_string(height) + " " + y_label;
+    return fmt::format("{}: {:.4g} ns ({:.4g} to {:.4g}), {} {}", method.method, method.cost.median,
+                       method.cost.lowest, method.cost.highest, to_string(height), y_label);
 }
 
 std::string plot(const KnobResult& result, const std::string& y_label, const Height& height_of) {

@@ -2,6 +2,8 @@
 
 #include "basics/text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -84,12 +86,12 @@ std::vector<double> ticks_of(const Axis& axis) {
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* kind) {
-    return formatted("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' class='%s'/>\n", x1, y1, x2, y2,
-                     kind);
+    return fmt::format("<line x1='{:.1f}' y1='{:.1f}' x2='{:.1f}' y2='{:.1f}' class='{}'/>\n", x1,
+                       y1, x2, y2, kind);
 }
 
 std::string text_at(double x, double y, const char* kind, const std::string& text) {
-    return formatted("<text x='%.1f' y='%.1f' class='%s'>", x, y, kind) + escaped(text) +
+    return fmt::format("<text x='{:.1f}' y='{:.1f}' class='{}'>", x, y, kind) + escaped(text) +
            "</text>\n";
 }
 
@@ -97,18 +99,19 @@ std::string frame(const ScatterPlot& plot, const Axis& x, const Axis& y) {
     std::string svg;
     for (const double tick : ticks_of(x)) {
         svg += line(x.place(tick), top, x.place(tick), bottom, "grid");
-        svg += text_at(x.place(tick), bottom + 17.0, "tick middle", formatted("%.4g", tick));
+        svg += text_at(x.place(tick), bottom + 17.0, "tick middle", fmt::format("{:.4g}", tick));
     }
     for (const double tick : ticks_of(y)) {
         svg += line(left, y.place(tick), right, y.place(tick), "grid");
-        svg += text_at(left - 6.0, y.place(tick) + 4.0, "tick end", formatted("%.4g", tick));
+        svg += text_at(left - 6.0, y.place(tick) + 4.0, "tick end", fmt::format("{:.4g}", tick));
     }
-    svg += formatted("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' class='frame'/>\n", left,
-                     top, right - left, bottom - top);
+    svg +=
+        fmt::format("<rect x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' class='frame'/>\n",
+                    left, top, right - left, bottom - top);
     svg += text_at(left, 18.0, "title", plot.title);
     svg += text_at(0.5 * (left + right), height - 10.0, "axis middle", plot.x_label);
-    svg += formatted("<text transform='translate(16 %.1f) rotate(-90)' class='axis middle'>",
-                     0.5 * (top + bottom)) +
+    svg += fmt::format("<text transform='translate(16 {:.1f}) rotate(-90)' class='axis middle'>",
+                       0.5 * (top + bottom)) +
            escaped(plot.y_label) + "</text>\n";
     return svg;
 }
@@ -142,16 +145,18 @@ std::string draw_point(const ScatterPoint& point, const Axis& x, const Axis& y, 
     const bool is_bound = point.y <= 0.0;
     const double px = x.place(point.x);
     const double py = y.place(is_bound ? point.y_highest : point.y);
-    std::string svg = formatted("<g class='%s'><title>", kind) + escaped(point.hint) + "</title>\n";
-    svg += formatted("<polyline points='%.1f,%.1f %.1f,%.1f %.1f,%.1f' class='leader'/>\n", px, py,
-                     label_left - 26.0, label, label_left - 5.0, label);
+    std::string svg =
+        fmt::format("<g class='{}'><title>", kind) + escaped(point.hint) + "</title>\n";
+    svg += fmt::format(
+        "<polyline points='{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}' class='leader'/>\n", px, py,
+        label_left - 26.0, label, label_left - 5.0, label);
     svg += line(x.place(point.x_lowest), py, x.place(point.x_highest), py, "range");
     if (is_bound) { // somewhere below
         svg += line(px, py, px, std::min(py + 14.0, bottom), "range");
-        svg += formatted("<path d='M%.1f %.1f l6 -10 h-12 z' class='mark'/>\n", px, py + 5.0);
+        svg += fmt::format("<path d='M{:.1f} {:.1f} l6 -10 h-12 z' class='mark'/>\n", px, py + 5.0);
     } else {
         svg += line(px, y.place(least_drawn(point)), px, y.place(point.y_highest), "range");
-        svg += formatted("<circle cx='%.1f' cy='%.1f' r='5.5' class='mark'/>\n", px, py);
+        svg += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='5.5' class='mark'/>\n", px, py);
     }
     return svg + text_at(label_left, label + 4.0, "label", point.label) + "</g>\n";
 }
@@ -192,7 +197,7 @@ std::string to_svg(const ScatterPlot& plot) {
     const Axis y = y_axis(plot);
     const std::vector<double> labels = label_places(plot, y);
     std::string svg =
-        formatted("<svg class='plot' viewBox='0 0 %.0f %.0f' role='img'>\n", width, height) +
+        fmt::format("<svg class='plot' viewBox='0 0 {:.0f} {:.0f}' role='img'>\n", width, height) +
         frame(plot, x, y);
     for (std::size_t i = 0; i < plot.points.size(); ++i) {
         svg += draw_point(plot.points[i], x, y, labels[i]);

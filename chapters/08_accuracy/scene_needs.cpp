@@ -3,6 +3,8 @@
 #include "basics/box.h"
 #include "basics/text.h"
 
+#include <fmt/core.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -72,9 +74,10 @@ std::string closed_sentence(const SceneNeeds& needs) {
         return "The mesh is closed: a ray that slips between two triangles is a visible fault, so "
                "take a watertight test.";
     }
-    return formatted("The mesh is open: %d edges have no partner (holes, borders, or corners that "
-                     "differ in a bit). At all others a watertight test still closes every gap.",
-                     needs.open_edges);
+    return fmt::format(
+        "The mesh is open: {} edges have no partner (holes, borders, or corners that "
+        "differ in a bit). At all others a watertight test still closes every gap.",
+        needs.open_edges);
 }
 
 } // namespace
@@ -112,41 +115,43 @@ std::vector<std::string> to_sentences(const SceneNeeds& needs) {
         return {"The scene has no triangle, so any method will do."};
     }
     std::vector<std::string> sentences{
-        formatted("%d triangles; smallest edge %.3g, largest coordinate %.4g, size %.4g.",
-                  needs.triangles, needs.smallest_edge, needs.largest_coordinate, needs.size),
+        fmt::format("{} triangles; smallest edge {:.3g}, largest coordinate {:.4g}, size {:.4g}.",
+                    needs.triangles, needs.smallest_edge, needs.largest_coordinate, needs.size),
         closed_sentence(needs)};
     sentences.push_back(
         needs.digits_left < digits_enough
-            ? formatted(
-                  "Beside the largest coordinate, a float has %.1f bits left for the smallest "
+            ? fmt::format(
+                  "Beside the largest coordinate, a float has {:.1f} bits left for the smallest "
                   "edge: no test can mend that. Move the scene to the origin, or split it.",
                   needs.digits_left)
-            : formatted(
-                  "Beside the largest coordinate, a float has %.1f bits left for the smallest "
+            : fmt::format(
+                  "Beside the largest coordinate, a float has {:.1f} bits left for the smallest "
                   "edge: enough.",
                   needs.digits_left));
     sentences.push_back(
         needs.slivers > 0
-            ? formatted("%d slivers, the thinnest 1 : %.0f: take exact areas, since rounded ones "
-                        "leave t open along a sliver.",
-                        needs.slivers, needs.thinnest)
-            : formatted("No slivers (the thinnest triangle is 1 : %.0f): rounded areas will do.",
-                        needs.thinnest));
-    sentences.push_back(
-        formatted("The paper's fixed 1e-6 loses %d triangles (%.3g %%), whose edges span less than "
-                  "that, even where a ray with a direction of length 1 meets them head on.",
-                  needs.small_for_the_paper, 100.0 * needs.small_for_the_paper / needs.triangles));
+            ? fmt::format(
+                  "{} slivers, the thinnest 1 : {:.0f}: take exact areas, since rounded ones "
+                  "leave t open along a sliver.",
+                  needs.slivers, needs.thinnest)
+            : fmt::format(
+                  "No slivers (the thinnest triangle is 1 : {:.0f}): rounded areas will do.",
+                  needs.thinnest));
+    sentences.push_back(fmt::format(
+        "The paper's fixed 1e-6 loses {} triangles ({:.3g} %), whose edges span less than "
+        "that, even where a ray with a direction of length 1 meets them head on.",
+        needs.small_for_the_paper, 100.0 * needs.small_for_the_paper / needs.triangles));
     if (needs.size > 0.0) {
-        sentences.push_back(formatted(
-            "A fixed offset of 1e-4 is %.3g %% of the size, and %.3g of the "
-            "smallest edge: %s.",
+        sentences.push_back(fmt::format(
+            "A fixed offset of 1e-4 is {:.3g} % of the size, and {:.3g} of the "
+            "smallest edge: {}.",
             100.0 * fixed_epsilon / needs.size, fixed_epsilon / needs.smallest_edge,
             fixed_epsilon > 0.1 * needs.smallest_edge ? "too much, take the error bound"
                                                       : "the error bound still asks for less"));
     }
     if (needs.without_area > 0) {
         sentences.push_back(
-            formatted("%d triangles have no area: no test hits them.", needs.without_area));
+            fmt::format("{} triangles have no area: no test hits them.", needs.without_area));
     }
     return sentences;
 }

@@ -1,7 +1,9 @@
 #include "tables.h"
 
-#include "fault_rate.h"
 #include "basics/text.h"
+#include "fault_rate.h"
+
+#include <fmt/core.h>
 
 namespace raysteps {
 
@@ -10,8 +12,7 @@ namespace {
 std::string faults_of(const Findings& findings) {
     std::string text;
     for (const Fault& fault : findings.faults) {
-        text += formatted("  %s %s", fault.name.c_str(),
-                          to_string(fault_rate(fault.count, fault.of)).c_str());
+        text += fmt::format("  {} {}", fault.name, to_string(fault_rate(fault.count, fault.of)));
     }
     return text;
 }
@@ -19,7 +20,7 @@ std::string faults_of(const Findings& findings) {
 std::string measures_of(const Findings& findings, const std::string& between) {
     std::string text;
     for (const Measure& measure : findings.measures) {
-        text += between + formatted("%s %.6g", measure.name.c_str(), measure.value);
+        text += between + fmt::format("{} {:.6g}", measure.name, measure.value);
     }
     return text;
 }
@@ -36,9 +37,9 @@ std::string to_table(const KnobResult& result) {
             if (one.family != family) {
                 continue;
             }
-            table += formatted("    %-26s %8.4g ns a %s (%.4g to %.4g)", one.method.c_str(),
-                               one.cost.median, result.unit_of_cases.c_str(), one.cost.lowest,
-                               one.cost.highest);
+            table += fmt::format("    {:26} {:8.4g} ns a {} ({:.4g} to {:.4g})", one.method,
+                                 one.cost.median, result.unit_of_cases, one.cost.lowest,
+                                 one.cost.highest);
             table += faults_of(one.findings);
             if (one.findings.error) {
                 table += "  error " + to_string(*one.findings.error);
@@ -59,14 +60,14 @@ std::string to_csv(std::span<const KnobResult> results) {
             const FaultRate rate = fault_rate(total.count, total.of);
             csv += csv_field(result.name) + "," + csv_field(one.family) + "," +
                    csv_field(one.method) +
-                   formatted(",%zu,%.9g,%.9g,%.9g,", one.timed_cases, one.cost.median,
-                             one.cost.lowest, one.cost.highest);
+                   fmt::format(",{},{:.9g},{:.9g},{:.9g},", one.timed_cases, one.cost.median,
+                               one.cost.lowest, one.cost.highest);
             csv += total.of == 0 ? ",,,,,"
-                                 : formatted("%zu,%zu,%.9g,%.9g,%.9g,", total.count, total.of,
-                                             rate.counted, rate.lowest, rate.highest);
+                                 : fmt::format("{},{},{:.9g},{:.9g},{:.9g},", total.count, total.of,
+                                               rate.counted, rate.lowest, rate.highest);
             const auto& error = one.findings.error;
-            csv += error ? formatted("%.9g,%.9g,%.9g,", error->median, error->percentile_99,
-                                     error->largest)
+            csv += error ? fmt::format("{:.9g},{:.9g},{:.9g},", error->median, error->percentile_99,
+                                       error->largest)
                          : ",,,";
             csv += csv_field(result.unit_of_error) + "," +
                    csv_field(measures_of(one.findings, "; ")) + "\n";

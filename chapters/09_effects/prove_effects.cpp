@@ -1,13 +1,13 @@
 #include "prove_effects.h"
 
+#include "image/plot.h"
+#include "measure/contest.h"
+#include "measure/statistics.h"
 #include "program/deliver.h"
 #include "program/progress.h"
 #include "program/tracing_options.h"
-#include "measure/stopwatch.h"
 #include "render/effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
-#include "image/plot.h"
-#include "measure/statistics.h"
 #include "scene/load_scene.h"
 
 #include <cmath>
@@ -20,14 +20,6 @@ namespace raysteps {
 
 namespace {
 
-// One way to render a scene, and the seconds of the processor that each round took.
-struct Contender {
-    std::string name;
-    std::function<Image()> render;
-    Image image;
-    std::vector<double> seconds;
-};
-
 struct SceneProof {
     std::string scene;
     std::size_t different_pixels = 0;
@@ -39,10 +31,6 @@ struct SceneProof {
     std::vector<std::pair<std::string, double>> without; // seconds without one effect
 };
 
-double median(const std::vector<double>& values) {
-    return measured_range(values).median;
-}
-
 std::size_t count_different(const Image& a, const Image& b) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -52,10 +40,10 @@ std::size_t count_different(const Image& a, const Image& b) {
 }
 
 // The ways to render one scene; they share its structure.
-class Contest {
+class Renderings {
 public:
-    Contest(const Command& command, const Quality& quality, const Parts& parts,
-            const std::string& name)
+    Renderings(const Command& command, const Quality& quality, const Parts& parts,
+               const std::string& name)
         : command_(command), quality_(quality), parts_(parts),
           scene_(load_scene(name, static_cast<float>(command.width) /
                                       static_cast<float>(command.height))),
@@ -69,43 +57,31 @@ public:
         auto renderer = std::make_shared<EffectsRenderer>(scene_, upload(scene_, structure_),
                                                           plan(choice), parts_, limits_);
         renderers_.push_back(renderer);
-        contenders_.push_back({name,
-                               [this, renderer] {
-                                   return renderer->render(scene_.camera, command_.width,
-                                                           command_.height);
-                               },
-                               {},
-                               {}});
+        add(name, [this, renderer] {
+            return renderer->render(scene_.camera, command_.width, command_.height);
+        });
     }
 
     void add_chapter_03() {
         auto renderer =
             std::make_shared<WhittedRenderer>(scene_, upload(scene_, structure_), parts_, limits_);
-        contenders_.push_back({"chapter 03",
-                               [this, renderer] {
-                                   return renderer->render(scene_.camera, command_.width,
-                                                           command_.height, quality_.max_bounces);
-                               },
-                               {},
-                               {}});
-    }
-
-    // The first round only warms up.
-    void run(int rounds) {
-        for (int round = 0; round <= rounds; ++round) {
-            for (Contender& contender : contenders_) {
-                const Seconds seconds = seconds_of([&] { contender.image = contender.render(); });
-                if (round > 0) {
-                    contender.seconds.push_back(seconds.cpu);
-                }
-            }
-        }
+        add("chapter 03", [this, renderer] {
+            return renderer->render(scene_.camera, command_.width, command_.height,
+                                    quality_.max_bounces);
+        });
     }
 
     const std::vector<Contender>& contenders() const { return contenders_; }
+    const Image& image(std::size_t i) const { return *images_[i]; }
     const RayTally& tally(std::size_t i) const { return renderers_[i]->tally(); }
 
 private:
+    void add(const std::string& name, const std::function<Image()>& render) {
+        const auto image = std::make_shared<Image>();
+        images_.push_back(image);
+        contenders_.push_back({name, [=] { *image = render(); }});
+    }
+
     Plan plan(const std::string& choice) const {
         return make_plan(scene_, static_cast<double>(command_.width) / command_.height, choice,
                          quality_);
@@ -119,38 +95,42 @@ private:
     Limits limits_;
     EffectSet called_;
     std::vector<std::shared_ptr<EffectsRenderer>> renderers_;
+    std::vector<std::shared_ptr<Image>> images_; // the latest of each contender
     std::vector<Contender> contenders_;
 };
 
 SceneProof prove(const Command& command, const Proof& proof, const Quality& quality,
                  const Parts& parts, const std::string& scene) {
-    Contest contest(command, quality, parts, scene);
-    contest.add_effects("planned", "");
-    contest.add_effects("everything", "+all");
+    Renderings renderings(command, quality, parts, scene);
+    renderings.add_effects("planned", "");
+    renderings.add_effects("everything", "+all");
     std::vector<std::string> names;
-    for (const Effect effect : contest.called()) {
+    for (const Effect effect : renderings.called()) {
         names.emplace_back(row_of(effect).name);
-        contest.add_effects(names.back(), "-" + names.back());
+        renderings.add_effects(names.back(), "-" + names.back());
     }
-    const bool is_plain = contest.called() == EffectSet{Effect::diffuse, Effect::shadows};
+    const bool is_plain = renderings.called() == EffectSet{Effect::diffuse, Effect::shadows};
     if (is_plain) {
-        contest.add_chapter_03();
+        renderings.add_chapter_03();
     }
-    contest.run(proof.rounds);
-    const std::vector<Contender>& contenders = contest.contenders();
+    std::vector<double> seconds; // of the processor, median
+    for (const ContestTimes& times : run_contest(renderings.contenders(), proof.rounds)) {
+        seconds.push_back(cpu_seconds(times).median);
+    }
     SceneProof result{.scene = scene,
-                      .different_pixels = count_different(contenders[0].image, contenders[1].image),
-                      .planned = contest.tally(0),
-                      .everything = contest.tally(1),
-                      .planned_seconds = median(contenders[0].seconds),
-                      .everything_seconds = median(contenders[1].seconds),
+                      .different_pixels = count_different(renderings.image(0), renderings.image(1)),
+                      .planned = renderings.tally(0),
+                      .everything = renderings.tally(1),
+                      .planned_seconds = seconds[0],
+                      .everything_seconds = seconds[1],
                       .without = {}};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        result.without.emplace_back(names[i], median(contenders[2 + i].seconds));
+        result.without.emplace_back(names[i], seconds[2 + i]);
     }
     if (is_plain) {
-        result.chapter_03_seconds = median(contenders.back().seconds);
-        result.different_pixels += count_different(contenders[0].image, contenders.back().image);
+        result.chapter_03_seconds = seconds.back();
+        result.different_pixels +=
+            count_different(renderings.image(0), renderings.image(seconds.size() - 1));
     }
     return result;
 }

@@ -2,98 +2,113 @@
 
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
-#include "measure/ray_kinds.h"
 #include "measure/statistics.h"
+#include "reference/embree/embree.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
 #include "scene/scene.h"
 #include "structure/structure.h"
 
-#include <cstring>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raysteps {
 
-// The parts of a walk's program by their names. Throws InputError where there is no such part.
-inline Parts walk_parts(const std::string& triangle, const std::string& structure,
-                        const std::string& observer) {
-    return {{"triangle", find_part("triangle", triangle)},
-            {"structure", find_part("structure", structure)},
-            {"observer", "observer/" + observer + ".glsl"}};
+// Million rays per second over the rounds of a contest.
+using Rate = MeasuredRange;
+
+// Whether every round of a was faster than every round of b. Where neither is faster than the other
+// in this sense, their ranges overlap, and no winner is named.
+inline bool is_faster(const Rate& a, const Rate& b) {
+    return lies_below(b, a);
 }
 
-// A texture of the answers to that query.
-inline Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays,
-                     Query query) {
-    return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
-}
-
-// Closest hits must agree in every bit; of any hit, only whether there is one is compared.
-inline bool is_same_answer(const Hit& a, const Hit& b, Query query) {
-    if (a.triangle < 0 || b.triangle < 0 || query == Query::any) {
-        return (a.triangle < 0) == (b.triangle < 0);
-    }
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
-// Of two lists of equal length.
-inline std::size_t count_other_answers(std::span<const Hit> a, std::span<const Hit> b,
-                                       Query query) {
-    std::size_t others = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        others += is_same_answer(a[i], b[i], query) ? 0 : 1;
-    }
-    return others;
-}
-
-// A scene with a built structure of each family, by the family's name.
-using BuiltFamilies = std::map<std::string, SceneTextures>;
-
-// Builds each family of these structures once, for all its walks. The values are those of --NAME; a
-// builder is given those that it knows. A context must be current. Throws InputError as the
-// builders do.
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures,
-                             const std::map<std::string, std::string>& values);
-
-// The one that serves the structure of that name, which must be among those that were built.
-const SceneTextures& built_for(const BuiltFamilies& built, const std::string& structure);
-
-// What one kind of rays costs in one structure.
+// What rays of one kind cost one contender in one scene.
 struct RayCosts {
-    std::string kind;
-    std::size_t rays = 0;
-    double visits_a_ray = 0.0; // of cells or nodes
-    double tests_a_ray = 0.0;  // of triangles
-    MeasuredRange rate;        // million rays a second
+    std::string contender; // a structure, or Embree
+    std::string kind;      // of the rays (measure/ray_kinds.h)
+    std::size_t rays = 0;  // that were measured: of a slow contender a part of all
+    std::size_t all_rays = 0;
+    double visits_per_ray = 0.0; // of cells or nodes; of Embree unknown, 0
+    double tests_per_ray = 0.0;  // of triangles
+    Rate rate{};
+    double cores = 0.0;        // time on CPUs over the time on the clock, median
+    std::size_t different = 0; // answers other than the judge's: of Embree only
 };
 
-struct StructureCosts {
-    std::string structure;
+struct BuildCosts {
+    std::string contender;
     std::vector<Fact> facts;
-    std::vector<RayCosts> kinds;
 };
+
+struct SceneCosts {
+    std::string scene;
+    int triangles = 0;
+    std::vector<BuildCosts> builds{}; // one per contender
+    std::vector<RayCosts> rays{};     // kind by kind, in the order of the builds
+};
+
+inline const std::string embree_single = "Embree rtcIntersect1";
+inline const std::string embree_packets = "Embree packets of 8";
+
+inline bool is_embree(const std::string& contender) {
+    return contender == embree_single || contender == embree_packets;
+}
+
+// The fact of that name, or 0 where nobody measured it.
+double fact_of(const BuildCosts& build, const std::string& name);
+
+// Our fastest walk for rays of that kind; null where there is none.
+const RayCosts* fastest_walk(const SceneCosts& costs, const std::string& kind);
+
+// Rays per second of our fastest walk over those of Embree by single rays: by the clock, and by
+// processor time, whoever else had the other processors.
+struct EmbreeRatio {
+    double by_clock = 0.0;
+    double by_cpu = 0.0;
+};
+
+// Nothing where Embree took no part, or none of our walks.
+std::optional<EmbreeRatio> ratio_to_embree(const SceneCosts& costs, const std::string& kind);
 
 struct MeasureRequest {
     std::vector<std::string> structures;
-    std::map<std::string, std::string> build_values;
+    std::map<std::string, std::string> build_values; // a builder takes those that it knows
     std::string triangle = "watertight";
     std::vector<std::string> kinds{"primary", "shadow", "bounce"};
-    int width = 256;
+    EmbreePart embree = EmbreePart::none;
+    std::string judge{}; // the structure whose answers count; the first one where none is named
+    int width = 256;     // of the picture whose rays are traced
     int height = 256;
-    int rounds = 5; // after one that is not counted
+    int rounds = 5; // after one that is dropped
+    // A contender that takes longer to trace all rays is measured with a part of them.
+    double most_seconds = std::numeric_limits<double>::infinity();
 };
 
-// Traces primary, shadow and bounce rays (measure/ray_kinds.h) through each structure. First it
-// checks that all give the same answers, bit for bit, and counts visits and tests; then it
-// measures, interleaved: each round traces every kind in every structure. A context must be
-// current. Throws Error with exit code 1 where answers differ: with a triangle test that is not
-// exact, that can happen.
-std::vector<StructureCosts> measure_structures(const Scene& scene, const MeasureRequest& request,
-                                               const Limits& limits, const Progress& progress);
+// Structures, and Embree beside them, in contests on the same rays, scene by scene. A context must
+// be current while it lives.
+class StructureContest {
+public:
+    StructureContest(MeasureRequest request, const Limits& limits);
 
-// A table for people: one row a structure and kind.
-std::string to_table(std::span<const StructureCosts> costs);
+    // Builds each structure of the scene once for all its walks, checks every answer against those
+    // of the judge, counts visits and tests, and measures. Closest hits must agree in every bit; of
+    // any hit, only whether there is one is compared. Throws Error with exit code 1 where answers
+    // differ: with a triangle test that is not exact, that can happen. Embree's, which rounds in
+    // another way, are only counted.
+    SceneCosts measure(const Scene& scene, const Progress& progress);
+
+private:
+    MeasureRequest request_;
+    Limits limits_;
+    TraceRays judge_;
+    std::map<std::string, TraceRays> walks_;
+};
+
+// A table for people: one row per structure and kind of rays.
+std::string to_table(const SceneCosts& costs);
 
 } // namespace raysteps

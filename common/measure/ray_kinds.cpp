@@ -1,9 +1,9 @@
 #include "measure/ray_kinds.h"
 
+#include "basics/random_numbers.h"
 #include "measure/cosine_direction.h"
 #include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
-#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,10 +2,11 @@
 
 #include "basics/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace raysteps {
@@ -23,10 +24,8 @@ Summary summarize(std::span<const float> values) {
 }
 
 std::string to_string(const Summary& summary) {
-    char text[96];
-    std::snprintf(text, sizeof text, "median %.3g, 99 %% up to %.3g, largest %.3g", summary.median,
-                  summary.percentile_99, summary.largest);
-    return text;
+    return fmt::format("median {:.3g}, 99 % up to {:.3g}, largest {:.3g}", summary.median,
+                       summary.percentile_99, summary.largest);
 }
 
 MeasuredRange measured_range(std::vector<double> values) {

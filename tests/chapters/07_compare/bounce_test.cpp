@@ -1,6 +1,6 @@
+#include "basics/random_numbers.h"
 #include "catch.h"
 #include "measure/cosine_direction.h"
-#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 

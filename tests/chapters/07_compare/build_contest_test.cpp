@@ -1,9 +1,9 @@
-#include "07_compare/build_contest.h"
+#include "07_compare/builds.h"
 
-#include "catch.h"
-#include "reference/embree/embree.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "hard_cases/meshes.h"
+#include "reference/embree/embree.h"
 #include "scene/load_scene.h"
 
 using namespace raysteps;
@@ -16,8 +16,8 @@ const Progress quiet = [](double) {};
 
 TEST_CASE("the table of builds has the middle and the range and their ratio", "[07][builds]") {
     const BuildContest contest{"ball", 1000, {200.0, 100.0, 300.0}, {400.0, 300.0, 500.0}, 1.004};
-    CHECK(to_csv({contest}) == "scene,triangles,nanoseconds_a_triangle,"
-                               "embree_nanoseconds_a_triangle,ratio,cost_to_sweep\n"
+    CHECK(to_csv({contest}) == "scene,triangles,nanoseconds_per_triangle,"
+                               "embree_nanoseconds_per_triangle,ratio,cost_to_sweep\n"
                                "ball,1000,200,400,0.5,1.004\n");
     CHECK_THAT(to_table({contest}), contains_text("200 (100-300)") &&
                                         contains_text("400 (300-500)") && contains_text(" 0.50 "));

@@ -1,18 +1,18 @@
-#include "catch.h"
 #include "07_compare/claims.h"
+#include "catch.h"
 
 using namespace raysteps;
 
 namespace {
 
-ContestRow row_of(const std::string& contender, const Rate& rate) {
-    ContestRow row{.contender = contender, .kind = "primary", .rays = 1, .all_rays = 1};
+RayCosts row_of(const std::string& contender, const Rate& rate) {
+    RayCosts row{.contender = contender, .kind = "primary", .rays = 1, .all_rays = 1};
     row.rate = rate;
     return row;
 }
 
 // Exact rates: no ranges.
-SceneResult scene_of(const std::string& name, double grid, double kd, double bvh) {
+SceneCosts scene_of(const std::string& name, double grid, double kd, double bvh) {
     return {name,
             1,
             {},
@@ -21,16 +21,16 @@ SceneResult scene_of(const std::string& name, double grid, double kd, double bvh
 }
 
 // The verdicts on the three claims: grid slowest, kd before grid, BVH fastest.
-std::vector<Verdict> verdicts_of(const std::vector<SceneResult>& results) {
-    std::vector<Verdict> verdicts;
+std::vector<ClaimVerdict> verdicts_of(const std::vector<SceneCosts>& results) {
+    std::vector<ClaimVerdict> verdicts;
     for (const ClaimResult& claim : judge_speed(results)) {
         verdicts.push_back(claim.verdict);
     }
     return verdicts;
 }
 
-using enum Verdict;
-using Verdicts = std::vector<Verdict>;
+using enum ClaimVerdict;
+using Verdicts = std::vector<ClaimVerdict>;
 
 } // namespace
 
@@ -50,33 +50,33 @@ TEST_CASE("for a single object the grid is to be faster than one of the others",
 }
 
 TEST_CASE("where ranges overlap no winner is named", "[07][claims]") {
-    SceneResult close = scene_of("knot:8", 1.0, 2.0, 3.0);
-    close.rows[0].rate = {1.0, 0.5, 4.0}; // the grid's best round is faster than all
+    SceneCosts close = scene_of("knot:8", 1.0, 2.0, 3.0);
+    close.rays[0].rate = {1.0, 0.5, 4.0}; // the grid's best round is faster than all
     CHECK(verdicts_of({close}) == Verdicts{ranges_overlap, ranges_overlap, ranges_overlap});
     // Ranges that touch overlap.
-    close.rows[0].rate = {1.0, 0.5, 2.0};
+    close.rays[0].rate = {1.0, 0.5, 2.0};
     const Verdicts touching = verdicts_of({close});
     CHECK(touching == Verdicts{ranges_overlap, ranges_overlap, holds});
 }
 
 TEST_CASE("one scene against is enough unless the claim is of most", "[07][claims]") {
-    const SceneResult usual = scene_of("knot:8", 1.0, 2.0, 3.0);
-    const SceneResult other = scene_of("soup:9", 3.0, 2.0, 1.0);
+    const SceneCosts usual = scene_of("knot:8", 1.0, 2.0, 3.0);
+    const SceneCosts other = scene_of("soup:9", 3.0, 2.0, 1.0);
     CHECK(verdicts_of({usual, usual, other}) == Verdicts{does_not_hold, holds, does_not_hold});
     CHECK(verdicts_of({usual, other}) == Verdicts{does_not_hold, does_not_hold, does_not_hold});
 }
 
 TEST_CASE("a family is judged by its fastest walk", "[07][claims]") {
-    SceneResult result = scene_of("knot:8", 1.0, 2.0, 0.5);
-    result.rows.push_back(row_of("bvh_ordered", {4.0, 3.0, 5.0}));
+    SceneCosts result = scene_of("knot:8", 1.0, 2.0, 0.5);
+    result.rays.push_back(row_of("bvh_ordered", {4.0, 3.0, 5.0}));
     CHECK(best_of_family(result, "primary", "bvh")->contender == "bvh_ordered");
     CHECK(verdicts_of({result}).back() == holds);
     CHECK_FALSE(best_of_family(result, "shadow", "bvh").has_value());
 }
 
 TEST_CASE("a family that took no part leaves the claims undecided", "[07][claims]") {
-    SceneResult result = scene_of("knot:8", 1.0, 2.0, 3.0);
-    result.rows.pop_back();
+    SceneCosts result = scene_of("knot:8", 1.0, 2.0, 3.0);
+    result.rays.pop_back();
     const std::vector<ClaimResult> claims = judge_speed(std::vector{result});
     REQUIRE(claims.size() == 3);
     for (const ClaimResult& claim : claims) {

@@ -1,10 +1,10 @@
 #include "reference/embree/embree.h"
 
+#include "basics/random_numbers.h"
 #include "catch.h"
-#include "reference/brute_force.h"
 #include "modules/reference/rounding_bound.h"
 #include "modules/reference/sphere_mesh.h"
-#include "basics/random_numbers.h"
+#include "reference/brute_force.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
+#include "07_compare/growth.h"
 #include "catch.h"
-#include "07_compare/growth_lines.h"
 #include "support/error_of.h"
 
 using namespace raysteps;
@@ -9,8 +9,8 @@ namespace {
 // Four logarithms and their sums round by less than 1e-14 here; the exponents are below 2.
 constexpr double tolerance = 1e-12;
 
-SceneResult flake(int depth, int triangles, double rate) {
-    ContestRow row{.contender = "grid", .kind = "primary", .rays = 1, .all_rays = 1};
+SceneCosts flake(int depth, int triangles, double rate) {
+    RayCosts row{.contender = "grid", .kind = "primary", .rays = 1, .all_rays = 1};
     row.rate = {rate, rate, rate};
     return {"sphereflake:" + std::to_string(depth),
             triangles,
@@ -52,9 +52,9 @@ TEST_CASE("an exponent of one size or of nothing is refused", "[07][growth][refu
 
 TEST_CASE("lines of growth are those of the series and of costs that were measured",
           "[07][growth]") {
-    SceneResult stranger = flake(0, 50, 100.0);
+    SceneCosts stranger = flake(0, 50, 100.0);
     stranger.scene = "knot:8";
-    const std::vector<SceneResult> results{flake(0, 1000, 4.0), stranger, flake(1, 10000, 2.0)};
+    const std::vector<SceneCosts> results{flake(0, 1000, 4.0), stranger, flake(1, 10000, 2.0)};
     const std::vector<GrowthLine> lines = growth_lines(results, "sphereflake");
     REQUIRE(lines.size() == 2);
     CHECK(lines[0].cost == "primary");

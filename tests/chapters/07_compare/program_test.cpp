@@ -30,8 +30,6 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
     const ScratchFolder folder("07_rows");
     REQUIRE(run_in(folder, "--scenes compact:4,cornell_box --growth 1 --rounds 1 --size 16"));
     const auto numbers = nlohmann::json::parse(bytes_of(folder / "out/07_compare/compare.json"));
-    CHECK(bytes_of(folder / "out/07/compare.json") ==
-          bytes_of(folder / "out/07_compare/compare.json"));
     REQUIRE(numbers["scenes"].size() == 4); // two, and sphereflake:0 and :1
     const std::size_t contenders = numbers["scenes"][0]["structures"].size();
     CHECK(contenders == (numbers["embree"] == "" ? 10 : 12));
@@ -45,8 +43,8 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
             CHECK(kind.contains("ratio_to_embree") == (numbers["embree"] != ""));
             for (const auto& walk : kind["walks"]) {
                 CHECK(walk["lowest"] > 0.0);
-                CHECK(walk["lowest"] <= walk["million_rays_a_second"]);
-                CHECK(walk["million_rays_a_second"] <= walk["highest"]);
+                CHECK(walk["lowest"] <= walk["million_rays_per_second"]);
+                CHECK(walk["million_rays_per_second"] <= walk["highest"]);
             }
         }
         CHECK(found == kinds);

@@ -102,8 +102,8 @@ TEST_CASE("measure prints a table and writes its numbers", "[command][structure]
         CHECK(structure.at("rays").size() == 3);
         CHECK(structure.at("facts").contains("memory_bytes"));
         for (const auto& kind : structure.at("rays")) {
-            CHECK(kind.at("million_rays_a_second").get<double>() > 0.0);
-            CHECK(kind.at("visits_a_ray").get<double>() > 0.0);
+            CHECK(kind.at("million_rays_per_second").get<double>() > 0.0);
+            CHECK(kind.at("visits_per_ray").get<double>() > 0.0);
         }
     }
 }

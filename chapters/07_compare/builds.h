@@ -1,7 +1,8 @@
 #pragma once
 
-#include "render/trace_rays.h"
 #include "measure/statistics.h"
+#include "render/trace_rays.h"
+#include "run_comparison.h"
 #include "scene/scene.h"
 #include "structure/structure.h"
 
@@ -10,7 +11,7 @@
 
 namespace raysteps {
 
-// A BVH built by us and by Embree: nanoseconds of the processor a triangle.
+// A BVH built by us and by Embree: nanoseconds of processor time per triangle.
 struct BuildContest {
     std::string scene;
     std::size_t triangles = 0;
@@ -21,13 +22,17 @@ struct BuildContest {
 
 // Builds the scene's tree with the options of the request and by Embree's rtcBuildBVH at medium
 // quality in turn, each on one thread, for leaves as large and the same costs; after a round that
-// is not counted. Throws MachineError where Embree is missing, and InputError where there is no
+// is dropped. Throws MachineError where Embree is missing, and InputError where there is no
 // triangle or an option makes no sense.
 BuildContest contest_builds(const Scene& scene, const BuildRequest& request, int rounds,
                             const Progress& progress);
 
-// For people, with the middle, the least and the greatest of the rounds; and for programs.
+// For people, with the median, lowest and highest of the rounds; and for programs.
 std::string to_table(const std::vector<BuildContest>& contests);
 std::string to_csv(const std::vector<BuildContest>& contests);
+
+// Builds a BVH of each scene in turn with Embree, prints the table, and writes builds.csv to the
+// folder of --out.
+void run_builds(const Command& command, const Comparison& comparison);
 
 } // namespace raysteps
