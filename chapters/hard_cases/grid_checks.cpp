@@ -3,7 +3,7 @@
 #include "mirror/every_triangle.h"
 #include "mirror/grid.h"
 #include "structure/grid/build_grid.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 #include "hard_cases/hard_cases.h"
 #include "mirror/every_triangle.h"
 #include "reference/exact.h"
-#include "checks.h"
-#include "contraction.h"
+#include "trials.h"
 #include "mirror_methods.h"
 
 #include <algorithm>

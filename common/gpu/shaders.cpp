@@ -215,6 +215,16 @@ std::string find_part(const std::string& slot, const std::string& name) {
                      ".");
 }
 
+std::string find_pass(const std::string& name) {
+    for (const std::filesystem::path& file : list_files(".frag")) {
+        if (file.stem() == name) {
+            return file.generic_string();
+        }
+    }
+    throw MachineError(shader_folder().string() + ": holds no pass " + name +
+                       ".frag. Check its name, or get it back from the repository.");
+}
+
 std::vector<ProgramRecipe> list_programs() {
     std::vector<ProgramRecipe> programs;
     for (const std::filesystem::path& file : list_files(".frag")) {

@@ -1,9 +1,8 @@
 #include "render/effects/effect_buffers.h"
 
-#include "render/effects/textures.h"
 #include "basics/error.h"
-#include "scene/scene.h"
 #include "scene/pack_scene.h"
+#include "scene/scene.h"
 
 #include <limits>
 
@@ -112,7 +111,7 @@ PlannedPasses::PlannedPasses(const Plan& plan, const SceneTextures& scene,
         if (pass.name == "compute_rays") {
             continue; // generate_rays of chapter 01 compiles it for each picture
         }
-        Program program("pass/" + pass.name + ".frag", pass.parts);
+        Program program(find_pass(pass.name), pass.parts);
         program.set("triangle_corners", scene.corners)
             .set("triangle_normals", scene.normals)
             .set("triangle_materials", scene.triangle_materials)

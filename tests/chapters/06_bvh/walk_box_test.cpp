@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
 #include "support/error_of.h"
-#include "hard_cases/box_tests.h"
+#include "hard_cases/mirror_methods.h"
 
 #include <algorithm>
 #include <limits>
