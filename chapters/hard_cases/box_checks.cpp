@@ -2,8 +2,8 @@
 #include "hard_cases/aimed_rays.h"
 #include "mirror/walks.h"
 #include "structure/bvh/build_bvh.h"
-#include "box_tests.h"
-#include "checks.h"
+#include "mirror/trace_by_mirror.h"
+#include "trials.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "contraction.h"
+#include "trials.h"
 
 namespace raysteps {
 

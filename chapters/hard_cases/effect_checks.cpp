@@ -4,7 +4,7 @@
 #include "render/whitted_renderer.h"
 #include "scene/shapes.h"
 #include "scene/view.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "hard_cases/hard_case.h"
 #include "gpu_methods.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -58,8 +59,13 @@ struct FuzzResult {
     std::optional<FuzzFault> fault; // shrunk
 };
 
-// Awkward and garbage scenes of one seed after another (hard_cases/garbage.h), until the time is up
+// Awkward and garbage scenes of one seed after another (hard_cases/hard_cases.h), until the time is up
 // or a fault is found.
 FuzzResult fuzz(const FuzzRequest& request);
+
+// Writes the fault's mesh as an OBJ file and its rays as a .csv file of that folder, with all
+// digits, so that the chapters' programs can trace them: --scene and --rays. Returns the paths.
+std::vector<std::filesystem::path> write_fault(const FuzzFault& fault,
+                                               const std::filesystem::path& folder);
 
 } // namespace raysteps

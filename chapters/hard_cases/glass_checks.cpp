@@ -2,10 +2,10 @@
 #include "hard_cases/aimed_rays.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/whitted_tree.h"
+#include "reference/whitted.h"
 #include "scene/pack_scene.h"
 #include "scene/shapes.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -2,7 +2,7 @@
 #include "hard_cases/meshes.h"
 #include "mirror/walks.h"
 #include "structure/grid/build_grid.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "mirror/mirror_scene.h"
 #include "basics/random_numbers.h"
 #include "scene/shapes.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <array>
 

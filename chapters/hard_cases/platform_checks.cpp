@@ -2,7 +2,7 @@
 #include "gpu/context.h"
 #include "hard_cases/hard_cases.h"
 #include "basics/random_numbers.h"
-#include "checks.h"
+#include "trials.h"
 #include "tally.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "run_hard_case.h"
+#include "trials.h"
 
 #include "gpu/shaders.h"
 #include "reference/exact.h"

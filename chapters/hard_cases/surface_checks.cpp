@@ -1,7 +1,7 @@
 #include "hard_cases/meshes.h"
 #include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <array>
 #include <cstdio>

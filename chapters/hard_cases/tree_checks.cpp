@@ -5,7 +5,7 @@
 #include "structure/kd_tree/check_kd_tree.h"
 #include "structure/bvh/bvh.h"
 #include "structure/kd_tree/kd_tree.h"
-#include "checks.h"
+#include "trials.h"
 
 #include <algorithm>
 #include <array>

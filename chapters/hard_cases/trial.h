@@ -4,6 +4,7 @@
 #include "gpu_methods.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,5 +58,25 @@ TrialRow promised_row(const std::string& method, const std::string& where,
 // A row of counts without one.
 TrialRow reported_row(const std::string& method, const std::string& where,
                       const std::string& expected, std::size_t wrong, std::size_t tried);
+
+// A trial and what came of it.
+struct TrialResult {
+    Trial trial;
+    std::vector<TrialRow> rows;
+};
+
+enum class Colors { none, terminal };
+
+// The lines of one trial for people, at most 100 columns wide: its name and title, then a line a
+// method: name, where, expected, got, verdict. Methods with the same answer share a line.
+std::string to_table(const TrialResult& result, Colors colors);
+
+// A CSV file: a line of names, then a line a trial and method.
+std::string to_csv(std::span<const TrialResult> results);
+
+// How many rows have that verdict.
+std::size_t count_rows(std::span<const TrialResult> results, Verdict verdict);
+
+std::string to_words(Verdict verdict);
 
 } // namespace raysteps

@@ -2,8 +2,6 @@
 
 #include "basics/error.h"
 #include "hard_cases/hard_cases.h"
-#include "checks.h"
-#include "run_hard_case.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,8 @@
 #include "hard_cases/hard_cases.h"
 #include "mirror/walks.h"
 #include "reference/exact.h"
-#include "checks.h"
-#include "contraction.h"
 #include "mirror/trace_by_mirror.h"
+#include "trials.h"
 
 #include <algorithm>
 #include <array>

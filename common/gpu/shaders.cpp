@@ -221,8 +221,8 @@ std::string find_pass(const std::string& name) {
             return file.generic_string();
         }
     }
-    throw MachineError("shaders/pass: there is no pass " + name +
-                       ".frag. Get the shaders back from the repository.");
+    throw MachineError(shader_folder().string() + ": holds no pass " + name +
+                       ".frag. Check its name, or get it back from the repository.");
 }
 
 std::vector<ProgramRecipe> list_programs() {

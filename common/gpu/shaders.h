@@ -62,6 +62,10 @@ std::vector<NamedPart> list_parts(const std::string& slot);
 // The file of the part with that name. Throws InputError that lists the names where there is none.
 std::string find_part(const std::string& slot, const std::string& name);
 
+// The file of the fragment pass with that name: pass/light/reflect.frag of `reflect`, whichever
+// folder of shaders/pass it is in. Throws MachineError where there is none.
+std::string find_pass(const std::string& name);
+
 // Every program that the project can compose: each fragment pass with each choice of parts.
 std::vector<ProgramRecipe> list_programs();
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Families of rays that find the faults of structures and triangle tests; random rays are nearly
-// blind for them. Each function takes the corners of at least one triangle, three a triangle.
+// blind to them. Each function takes the corners of at least one triangle, three a triangle.
 // Origins lie in the box of the corners and half of its largest side around it, so within
 // usual_reach, unless said otherwise. Directions are not normalised.
 
@@ -24,96 +24,6 @@ struct RayFamily {
     std::string name;
     std::vector<Ray> rays;
 };
-
-// Rays that know where a grid has its planes.
-
-// Planes at lower + i * step along each axis, i = 0 ... cells.
-struct Lattice {
-    glm::vec3 lower{0.0f};
-    glm::vec3 step{1.0f};
-    glm::ivec3 cells{1};
-};
-
-Lattice lattice_of(const GridShape& shape);
-
-glm::vec3 any_lattice_point(RandomNumbers& numbers, const Lattice& lattice);
-
-// From a lattice point to a lattice point, both moved out of the lattice along the ray by its
-// length: they run through many lattice points on the way, and along edges of cells.
-std::vector<Ray> rays_through_lattice_points(RandomNumbers& numbers, const Lattice& lattice,
-                                             int count);
-
-// In a plane of the lattice, in any direction.
-std::vector<Ray> rays_in_lattice_planes(RandomNumbers& numbers, const Lattice& lattice, int count);
-
-// Both, and the first ones back again.
-std::vector<RayFamily> lattice_families(RandomNumbers& numbers, const Lattice& lattice, int count);
-
-// Rays from inside a closed mesh around the world's origin. Each must hit: one that does not has
-// leaked out. Random rays are nearly blind for leaks, these are aimed at where they are. Origins
-// lie in the cube of that half side; directions are not normalised.
-
-// At any point of any edge.
-std::vector<Ray> edge_aimed_rays(RandomNumbers& numbers, const Mesh& mesh, const glm::vec3& half,
-                                 int count);
-
-// At any corner exactly, or as near as a rounded difference can be.
-std::vector<Ray> corner_aimed_rays(RandomNumbers& numbers, const Mesh& mesh, const glm::vec3& half,
-                                   int count);
-
-// In any direction: to compare with.
-std::vector<Ray> random_rays_from_inside(RandomNumbers& numbers, const glm::vec3& half, int count);
-
-// Rays that are aimed at the planes of a kd-tree itself, where a walk can go wrong.
-
-const Box& any_box(RandomNumbers& numbers, const KdTree& tree);
-
-glm::vec3 any_box_corner(RandomNumbers& numbers, const KdTree& tree);
-
-// At corners of boxes, where up to eight leaves meet.
-std::vector<Ray> rays_at_box_corners(RandomNumbers& numbers, const KdTree& tree,
-                                     std::span<const glm::vec3> corners, int count);
-
-// From corner to corner of boxes, from before the first to behind the second.
-std::vector<Ray> rays_through_box_corners(RandomNumbers& numbers, const KdTree& tree, int count);
-
-// In a plane of the tree: one component of the direction is a zero of either sign.
-std::vector<Ray> rays_in_box_planes(RandomNumbers& numbers, const KdTree& tree,
-                                    std::span<const glm::vec3> corners, int count);
-
-// In the plane of a split, in any direction from within the node that it splits.
-std::vector<Ray> rays_in_split_planes(RandomNumbers& numbers, const KdTree& tree, int count);
-
-// Along an edge of a box: in two planes at once.
-std::vector<Ray> rays_along_box_edges(RandomNumbers& numbers, const KdTree& tree, int count);
-
-std::vector<RayFamily> tree_families(RandomNumbers& numbers, const KdTree& tree,
-                                     std::span<const glm::vec3> corners, int count);
-
-// A ray and a box of which the answer is known.
-struct AimedBox {
-    Ray ray;
-    Box box;
-    bool meets = true;
-};
-
-// Rays in the planes of a unit box's sides, along another axis, with zeros of either sign; and
-// beside it by a millionth (B1).
-std::vector<AimedBox> rays_in_sides_of_a_box();
-
-// Boxes, flat along one axis or none, with a ray to one of their corners. All numbers are multiples
-// of 2^-9 between -2 and 2, so the rays are exact (B2).
-std::vector<AimedBox> rays_at_corners_of_any_box(RandomNumbers& numbers, int count);
-
-// A unit box at an offset of a million and rays that pass its corner (B3).
-std::vector<AimedBox> rays_far_from_zero();
-
-// A unit box before, around and behind the origin, and rays that end at its entry or begin at its
-// exit (B4).
-std::vector<AimedBox> rays_that_end_at_a_box();
-
-// The empty box, which no ray meets (B5).
-std::vector<AimedBox> rays_at_the_empty_box(RandomNumbers& numbers, int count);
 
 inline constexpr float no_end = std::numeric_limits<float>::max();
 
@@ -186,12 +96,114 @@ std::vector<Ray> with_large_t(std::vector<Ray> rays, float factor);
 // Every ray from its end back to its start, as the crow flies: from t = 3 to before t = 0.
 std::vector<Ray> reversed(std::span<const Ray> rays);
 
-// What no ray should be. A structure must answer all the same, and may not hang or read outside:
-// not a number, infinite, without a direction, with a direction too small to divide by.
+// What no ray should be: NaN, infinite, without a direction, with a direction too small to divide
+// by. A structure must answer all the same, and may not hang or read outside.
 std::vector<Ray> nonsense_rays();
 
 // All families of sensible rays that know nothing of a structure.
 std::vector<RayFamily> ray_families(RandomNumbers& numbers, std::span<const glm::vec3> corners,
                                     int count);
+
+// Rays from inside a closed mesh around the world's origin (aimed_from_inside.cpp). Each must hit:
+// one that does not has leaked out. Origins lie in the cube of that half side.
+
+// At any point of any edge.
+std::vector<Ray> edge_aimed_rays(RandomNumbers& numbers, const Mesh& mesh, const glm::vec3& half,
+                                 int count);
+
+// At any corner exactly, or as near as a rounded difference can be.
+std::vector<Ray> corner_aimed_rays(RandomNumbers& numbers, const Mesh& mesh, const glm::vec3& half,
+                                   int count);
+
+// In any direction: to compare with.
+std::vector<Ray> random_rays_from_inside(RandomNumbers& numbers, const glm::vec3& half, int count);
+
+// Families for triangle tests, so many rays each, each family from the seed anew. Origins lie in
+// the box of the mesh, so mostly inside of a closed one, unless said otherwise.
+//   random    in any direction
+//   inside    at points of triangles
+//   edge      at points of edges, as nearly as floats say them
+//   vertex    at corners: corner minus origin, rounded once
+//   axis      along an axis, with one coordinate of a corner: in planes of the mesh
+//   grazing   at points of triangles, at an angle of about 1e-4 to them
+//   leaving   from points of triangles, moved off as chapter 03 does, in any direction
+//   far       at points of triangles, from ten thousand sizes away
+std::vector<RayFamily> families_from_inside(std::span<const glm::vec3> corners, std::size_t count,
+                                            int seed);
+
+// Rays aimed at the planes of a structure itself, where a walk can go wrong (aimed_at_planes.cpp).
+
+// Planes at lower + i * step along each axis, i = 0 ... cells.
+struct Lattice {
+    glm::vec3 lower{0.0f};
+    glm::vec3 step{1.0f};
+    glm::ivec3 cells{1};
+};
+
+Lattice lattice_of(const GridShape& shape);
+
+glm::vec3 any_lattice_point(RandomNumbers& numbers, const Lattice& lattice);
+
+// From a lattice point to a lattice point, both moved out of the lattice along the ray by its
+// length: they run through many lattice points on the way, and along edges of cells.
+std::vector<Ray> rays_through_lattice_points(RandomNumbers& numbers, const Lattice& lattice,
+                                             int count);
+
+// In a plane of the lattice, in any direction.
+std::vector<Ray> rays_in_lattice_planes(RandomNumbers& numbers, const Lattice& lattice, int count);
+
+// Both, and the first ones back again.
+std::vector<RayFamily> lattice_families(RandomNumbers& numbers, const Lattice& lattice, int count);
+
+// For a kd-tree.
+
+const Box& any_box(RandomNumbers& numbers, const KdTree& tree);
+
+glm::vec3 any_box_corner(RandomNumbers& numbers, const KdTree& tree);
+
+// At corners of boxes, where up to eight leaves meet.
+std::vector<Ray> rays_at_box_corners(RandomNumbers& numbers, const KdTree& tree,
+                                     std::span<const glm::vec3> corners, int count);
+
+// From corner to corner of boxes, from before the first to behind the second.
+std::vector<Ray> rays_through_box_corners(RandomNumbers& numbers, const KdTree& tree, int count);
+
+// In a plane of the tree: one component of the direction is a zero of either sign.
+std::vector<Ray> rays_in_box_planes(RandomNumbers& numbers, const KdTree& tree,
+                                    std::span<const glm::vec3> corners, int count);
+
+// In the plane of a split, in any direction from within the node that it splits.
+std::vector<Ray> rays_in_split_planes(RandomNumbers& numbers, const KdTree& tree, int count);
+
+// Along an edge of a box: in two planes at once.
+std::vector<Ray> rays_along_box_edges(RandomNumbers& numbers, const KdTree& tree, int count);
+
+std::vector<RayFamily> tree_families(RandomNumbers& numbers, const KdTree& tree,
+                                     std::span<const glm::vec3> corners, int count);
+
+// A ray and a box of which the answer is known.
+struct AimedBox {
+    Ray ray;
+    Box box;
+    bool meets = true;
+};
+
+// Rays in the planes of a unit box's sides, along another axis, with zeros of either sign; and
+// beside it by a millionth (B1).
+std::vector<AimedBox> rays_in_sides_of_a_box();
+
+// Boxes, flat along one axis or none, with a ray to one of their corners. All numbers are multiples
+// of 2^-9 between -2 and 2, so the rays are exact (B2).
+std::vector<AimedBox> rays_at_corners_of_any_box(RandomNumbers& numbers, int count);
+
+// A unit box at an offset of a million and rays that pass its corner (B3).
+std::vector<AimedBox> rays_far_from_zero();
+
+// A unit box before, around and behind the origin, and rays that end at its entry or begin at its
+// exit (B4).
+std::vector<AimedBox> rays_that_end_at_a_box();
+
+// The empty box, which no ray meets (B5).
+std::vector<AimedBox> rays_at_the_empty_box(RandomNumbers& numbers, int count);
 
 } // namespace raysteps

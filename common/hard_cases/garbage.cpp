@@ -1,4 +1,4 @@
-#include "hard_cases/garbage.h"
+#include "hard_cases/hard_cases.h"
 
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "basics/box.h"
 #include "basics/ray.h"
 #include "mirror/mirror_scene.h"
 #include "structure/structure.h"
@@ -25,5 +26,14 @@ const std::map<std::string, TraceByMirror>& mirror_walks();
 // Every test of shaders/triangle, in a loop over every triangle, which needs no structure. Two are
 // there in double precision as well: they end in `_double`.
 const std::map<std::string, TraceByMirror>& mirror_triangle_tests();
+
+// Whether the box tests of the walks through a BVH visit the box, which nobody has padded: as C++,
+// by the shader parts structure/bvh/box_ray.glsl and box_padded.glsl.
+bool meets_plain_box(const Ray& ray, const Box& box);
+bool meets_padded_box(const Ray& ray, const Box& box);
+
+// The box with nine roundings more on every side, for numbers up to 4: what the plain test needs
+// (structure/bvh/box_ray.glsl has the derivation).
+Box grown_by_roundings(const Box& box);
 
 } // namespace raysteps

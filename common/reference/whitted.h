@@ -1,42 +1,42 @@
 #pragma once
 
 #include "image/image.h"
-#include "reference/exact.h"
-#include "reference/reference_ray.h"
 #include "scene/scene.h"
-
-#include <glm/vec3.hpp>
 
 #include <vector>
 
 namespace raysteps {
 
-// What the shading needs of a point where a ray met the scene. Both normals have length 1 and lie
-// on the side that the ray came from.
-struct Surface {
-    glm::dvec3 point{0.0};
-    glm::dvec3 geometric_normal{0.0};
-    glm::dvec3 shading_normal{0.0}; // the corners' normals, mixed; the geometric one if they cancel
-    glm::dvec3 point_above{0.0};    // the point moved just off the surface: where rays leave it
-    const Material* material = nullptr;
+// How far the tree of rays is followed: so many bounces, and no path that counts at most `faintest`
+// in every channel.
+struct TreeLimits {
+    int max_bounces = 8;
+    double faintest = 0.0;
 };
-
-// The hit must be of a triangle of the scene, by this ray.
-Surface surface_at(const Scene& scene, const ReferenceRay& ray, const ReferenceHit& hit);
 
 // The scene by recursive ray tracing in double, one ray through the centre of each pixel, on all
 // cores (Whitted, "An improved illumination model for shaded display", 1980): diffuse surfaces,
-// point lights with hard shadows, and perfect mirrors, which are followed max_bounces times; what a
-// path would see after that is black. Pictures on surfaces are ignored. Throws InputError where
-// width or height is under 1, or max_bounces is not in 0 ... 1000.
-Image render_whitted(const Scene& scene, int width, int height, int max_bounces);
+// point lights with hard shadows, perfect mirrors, glass (reflected and refracted rays, nested
+// bodies, absorption), highlights, a sky, and the light that comes straight through glass. Lights
+// with an area count as their middle; textures and the lens of the camera are ignored. What a path
+// would see after its last bounce is black. Throws InputError where width or height is under 1, or
+// max_bounces is not in 0 ... 1000.
+Image render_whitted(const Scene& scene, int width, int height, const TreeLimits& limits);
 
-// How much a pixel hangs on where exactly its ray goes: the largest change of a colour channel when
-// the ray moves by `shift` pixels left, right, up or down. It is large where an edge, the border of
-// a shadow, or one seen in a mirror passes within the shift of the pixel's centre, so a comparison
-// with a renderer in float can excuse such pixels. Row by row as in Image. Throws as
+// How much a pixel depends on where exactly its ray goes: the largest change of a colour channel
+// when the ray moves by `shift` pixels left, right, up or down. It is large where an edge, the
+// border of a shadow, or one seen in a mirror passes within the shift of the pixel's centre, so a
+// comparison with a renderer in float can excuse such pixels. Row by row as in Image. Throws as
 // render_whitted.
-std::vector<double> whitted_sensitivity(const Scene& scene, int width, int height, int max_bounces,
-                                        double shift);
+std::vector<double> whitted_sensitivity(const Scene& scene, int width, int height,
+                                        const TreeLimits& limits, double shift);
+
+// The scene as chapter 03 shows it: without glass, highlights and a sky.
+Scene without_optics(Scene scene);
+
+// The part of unpolarised light that a surface between media of these indices reflects, by the
+// angle between ray and normal; 1 where the reflection is total. (Hecht, "Optics", 5th ed., 2017,
+// equations 4.34 and 4.40.)
+double fresnel_by_angle(double angle, double index_before, double index_behind);
 
 } // namespace raysteps

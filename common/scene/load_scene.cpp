@@ -6,7 +6,6 @@
 #include "scene/frame_scene.h"
 #include "scene/obj/load_obj.h"
 #include "scene/samples/sample_scenes.h"
-#include "scene/toml/toml_scene.h"
 
 #include <cstdint>
 #include <filesystem>

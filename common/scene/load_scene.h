@@ -2,7 +2,9 @@
 
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace raysteps {
 
@@ -17,5 +19,10 @@ std::string to_toml(const Scene& scene);
 
 // A line for each name that load_scene knows besides files.
 std::string list_scenes();
+
+// The scene of a TOML scene file's text (docs/scene_files.md). The path names the file in
+// sentences, and the models' paths start in its folder. The aspect ratio is width / height, over 0.
+// Throws InputError with file, line and column.
+Scene read_toml_scene(std::string_view text, const std::filesystem::path& path, float aspect_ratio);
 
 } // namespace raysteps

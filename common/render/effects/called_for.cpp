@@ -1,4 +1,4 @@
-#include "render/effects/called_for.h"
+#include "render/effects/plan.h"
 
 #include "scene/scene.h"
 #include "scene/view.h"

@@ -1,9 +1,8 @@
 #include "render/effects/effect_buffers.h"
 
-#include "render/effects/textures.h"
 #include "basics/error.h"
-#include "scene/scene.h"
 #include "scene/pack_scene.h"
+#include "scene/scene.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "render/effects/lamps.h"
+#include "render/effects/effects_renderer.h"
 
 #include "gpu/draw.h"
 

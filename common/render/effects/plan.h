@@ -1,12 +1,74 @@
 #pragma once
 
 #include "gpu/shaders.h"
-#include "render/effects/called_for.h"
+#include "scene/scene.h"
 
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raysteps {
+
+// What a picture can show. Each is a row of the table list_effects.
+enum class Effect {
+    antialiasing,
+    depth_of_field,
+    sky,
+    textures,
+    diffuse,
+    highlights,
+    shadows,
+    soft_shadows,
+    glass_shadows,
+    mirrors,
+    refraction,
+    absorption,
+};
+
+using EffectSet = std::set<Effect>;
+
+// The name is what --effects knows; the passes are those of shaders/pass that run for this effect
+// and for no other.
+struct EffectRow {
+    Effect effect = Effect::diffuse;
+    std::string_view name;
+    std::vector<std::string_view> passes;
+    std::string_view meaning;
+};
+
+// All effects, in the order in which a path meets them.
+const std::vector<EffectRow>& list_effects();
+
+const EffectRow& row_of(Effect effect);
+
+// The effect of that name. Throws InputError that lists the names.
+Effect effect_of(std::string_view name);
+
+EffectSet all_effects();
+
+// The set with what `choice` says of it: `+refraction,-shadows` between commas; `+all` and `-all`
+// mean every effect. Throws InputError where a word is none of that.
+EffectSet choose_effects(EffectSet effects, std::string_view choice);
+
+// An effect, and what in the scene calls for it: `material glass, 412 triangles`.
+struct EffectCall {
+    Effect effect = Effect::diffuse;
+    std::string reason;
+};
+
+// The effects that the scene calls for through its materials, lights and camera, in the order of
+// the table. Materials that cannot be seen call for nothing, but glass that is out of view still
+// lets light through. The aspect ratio is that of the picture, width / height.
+std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio);
+
+// How many triangles of each material a ray from the camera may meet. Triangles that lie beyond one
+// side of the view count as unseen, unless a mirror or glass is in view, which may show anything;
+// or the camera has a lens, whose rays start beside the eye. Never too few.
+std::vector<int> triangles_in_view(const Scene& scene, double aspect_ratio);
+
+// The same without a view: all of them.
+std::vector<int> triangles_of_materials(const Scene& scene);
 
 // How far paths are followed, whatever the effects.
 struct Quality {
@@ -15,7 +77,7 @@ struct Quality {
 };
 
 struct PlannedPass {
-    std::string name; // of shaders/pass/NAME.frag
+    std::string name; // of its file in shaders/pass (find_pass)
     Parts parts;
 };
 

@@ -1,4 +1,4 @@
-#include "render/effects/ray_list.h"
+#include "render/effects/effects_renderer.h"
 
 #include <algorithm>
 

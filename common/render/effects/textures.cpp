@@ -1,4 +1,4 @@
-#include "render/effects/textures.h"
+#include "render/effects/effect_buffers.h"
 
 #include "basics/error.h"
 #include "image/image_file.h"

@@ -1,7 +1,6 @@
 #include "basics/random_numbers.h"
 #include "scene/mesh.h"
 #include "scene/samples/samples.h"
-#include "scene/samples/surfaces.h"
 #include "scene/shapes.h"
 
 #include <glm/geometric.hpp>

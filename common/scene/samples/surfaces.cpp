@@ -1,4 +1,4 @@
-#include "scene/samples/surfaces.h"
+#include "scene/samples/samples.h"
 
 #include "basics/random_numbers.h"
 

@@ -1,7 +1,6 @@
-#include "scene/toml/toml_scene.h"
-
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
+#include "scene/load_scene.h"
 #include "scene/obj/load_obj.h"
 #include "scene/obj/obj_checks.h"
 #include "scene/obj/obj_file.h"
@@ -19,6 +18,8 @@
 namespace raysteps {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr TomlRange any_coordinate{-greatest_coordinate, greatest_coordinate};
 constexpr TomlRange any_degrees{-360'000.0, 360'000.0};
@@ -113,8 +114,7 @@ glm::mat4 composed_matrix(const toml::table& model) {
     return matrix;
 }
 
-} // namespace
-
+// Where a [[model]] stands: its `matrix`, or its `scale`, then `rotate`, then `translate`.
 glm::mat4 toml_transform(const toml::table& model) {
     const toml::node* matrix_node = model.get("matrix");
     for (const char* key : {"translate", "rotate", "scale"}) {
@@ -131,8 +131,6 @@ glm::mat4 toml_transform(const toml::table& model) {
     }
     return matrix;
 }
-
-namespace {
 
 constexpr TomlRange any_light_coordinate{-greatest_light_coordinate, greatest_light_coordinate};
 constexpr TomlRange any_color{0.0, 1'000'000.0};
@@ -172,6 +170,10 @@ void check_camera(const Camera& camera, const toml::table& table) {
     }
 }
 
+glm::vec3 toml_color(const toml::node& color, std::string_view key) {
+    return toml_vec3(color, key, any_color);
+}
+
 glm::vec3 edge_of(const toml::table& light, std::string_view key) {
     const toml::node* edge = light.get(key);
     return edge == nullptr ? glm::vec3(0.0f) : toml_vec3(*edge, key, any_coordinate);
@@ -202,12 +204,6 @@ Light light_of(const toml::node& node) {
                                          "not be parallel.");
     }
     return light;
-}
-
-} // namespace
-
-glm::vec3 toml_color(const toml::node& color, std::string_view key) {
-    return toml_vec3(color, key, any_color);
 }
 
 Camera toml_camera(const toml::node& node) {
@@ -263,10 +259,6 @@ std::vector<Light> toml_lights(const toml::node& node) {
     }
     return lights;
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 // Triangles are counted in ints, and 2^24 of them take about 2 GB.
 constexpr std::size_t most_triangles = 1u << 24;

@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
 #include "support/error_of.h"
-#include "hard_cases/box_tests.h"
+#include "mirror/trace_by_mirror.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 
 #include "basics/random_numbers.h"
 #include "catch.h"
+#include "hard_cases/meshes.h"
 #include "modules/reference/rounding_bound.h"
-#include "modules/reference/sphere_mesh.h"
 #include "reference/brute_force.h"
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST_CASE("Embree finds the hits of the reference by single rays and by packets"
     const auto mode = GENERATE(EmbreeMode::robust, EmbreeMode::fast);
     const auto call = GENERATE(EmbreeCall::one_by_one, EmbreeCall::packets);
     CAPTURE(seed, static_cast<int>(mode), static_cast<int>(call));
-    const std::vector<glm::vec3> corners = sphere_mesh(2.0f, 8, 16);
+    const std::vector<glm::vec3> corners = latitude_sphere(2.0f, 8, 16).corners;
     const EmbreeScene embree(corners, mode);
     const std::vector<Ray> rays = rays_inside(unbounded);
     const std::vector<Hit> hits = embree.nearest_hits(rays, call);
@@ -60,7 +60,7 @@ TEST_CASE("Embree finds the hits of the reference by single rays and by packets"
 
 TEST_CASE("Embree tells for each ray whether there is any hit", "[07][embree]") {
     const auto call = GENERATE(EmbreeCall::one_by_one, EmbreeCall::packets);
-    const EmbreeScene embree(sphere_mesh(2.0f, 8, 16), EmbreeMode::robust);
+    const EmbreeScene embree(latitude_sphere(2.0f, 8, 16).corners, EmbreeMode::robust);
     // Every third ray ends at t = 0.01, long before the sphere.
     std::vector<Ray> rays = rays_inside(unbounded);
     for (std::size_t i = 0; i < rays.size(); i += 3) {
@@ -75,7 +75,7 @@ TEST_CASE("Embree tells for each ray whether there is any hit", "[07][embree]") 
 }
 
 TEST_CASE("Embree gives the same answers on any number of threads", "[07][embree]") {
-    const EmbreeScene embree(sphere_mesh(2.0f, 8, 16), EmbreeMode::robust);
+    const EmbreeScene embree(latitude_sphere(2.0f, 8, 16).corners, EmbreeMode::robust);
     const std::vector<Ray> rays = rays_inside(unbounded);
     const std::vector<Hit> one = embree.nearest_hits(rays, EmbreeCall::one_by_one, 1);
     const std::vector<Hit> many = embree.nearest_hits(rays, EmbreeCall::one_by_one, 5);

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "effect_pictures.h"
-#include "reference/whitted_tree.h"
+#include "reference/whitted.h"
 #include "scene/samples/samples.h"
 
 #include <glm/common.hpp>
@@ -55,11 +55,11 @@ void check_agreement(const Scene& scene, int side) {
     CAPTURE(scene.name);
     const TreeLimits limits{.max_bounces = 5, .faintest = 0.0};
     const Image image = effect_picture(scene, side, "", {.max_bounces = 5, .faintest = 0.0f}).image;
-    const Image expected = render_tree(scene, side, side, limits);
+    const Image expected = render_whitted(scene, side, side, limits);
     // In float a ray is off by about 2^-20 of its length, more after each bend; a thousandth of a
     // pixel is many times that. Where so small a move changes the colour, something begins or ends
     // in the pixel, and float and double may take different sides.
-    const std::vector<double> sensitivity = tree_sensitivity(scene, side, side, limits, 1e-3);
+    const std::vector<double> sensitivity = whitted_sensitivity(scene, side, side, limits, 1e-3);
     int excused = 0;
     int different = 0;
     double largest = 0.0;

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/whitted_tree.h"
+#include "reference/whitted.h"
 #include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>

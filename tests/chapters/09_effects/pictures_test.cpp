@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "effect_pictures.h"
-#include "render/effects/textures.h"
+#include "render/effects/effect_buffers.h"
 #include "image/image_file.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"

@@ -1,11 +1,10 @@
 #include "catch.h"
 #include "gpu/context.h"
-#include "hard_cases/garbage.h"
+#include "hard_cases/hard_cases.h"
 #include "hard_cases/aimed_rays.h"
 #include "scene/load_scene.h"
 #include "scene/ray_file.h"
 #include "support/scratch_folder.h"
-#include "hard_cases/fault_files.h"
 #include "hard_cases/fuzz.h"
 
 #include <algorithm>

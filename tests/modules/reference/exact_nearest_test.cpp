@@ -3,7 +3,6 @@
 #include "catch.h"
 #include "ray_families.h"
 #include "rounding_bound.h"
-#include "sphere_mesh.h"
 
 #include <iostream>
 
@@ -12,13 +11,13 @@ using namespace raysteps;
 namespace {
 
 // Triangles of all sizes, the first five listed twice.
-std::vector<glm::vec3> triangle_soup(Random& random) {
+std::vector<glm::vec3> triangle_soup(RandomNumbers& numbers) {
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 60; ++i) {
-        const glm::vec3 middle = point_in_cube(random, 1.0f);
+        const glm::vec3 middle = numbers.in_cube();
         const float size = std::ldexp(1.0f, -i / 4);
         for (int corner = 0; corner < 3; ++corner) {
-            corners.push_back(middle + point_in_cube(random, size));
+            corners.push_back(middle + size * numbers.in_cube());
         }
     }
     const std::vector<glm::vec3> again(corners.begin(), corners.begin() + 15);
@@ -77,14 +76,14 @@ TEST_CASE("a third of a float apart is enough to tell which triangle is nearer",
 }
 
 TEST_CASE("the filter changes no answer", "[reference][exact]") {
-    const unsigned seed = 7;
+    const int seed = 7;
     CAPTURE(seed);
-    Random random(seed);
-    const std::vector<glm::vec3> corners = triangle_soup(random);
+    RandomNumbers numbers(seed);
+    const std::vector<glm::vec3> corners = triangle_soup(numbers);
     int hits = 0;
     int skipped = 0;
     for (const Aim aim : {Aim::anywhere, Aim::at_edges, Aim::at_corners}) {
-        for (const Ray& ray : random_rays(aim, 150, 2.0f, corners, random)) {
+        for (const Ray& ray : rays_at(mesh_of(corners), aim, 150, 2.0f, numbers)) {
             const ReferenceHit expected = exact_nearest_hit_unfiltered(ray, corners);
             REQUIRE(are_equal(exact_nearest_hit(ray, corners), expected));
             hits += expected.triangle != no_triangle ? 1 : 0;
@@ -100,10 +99,10 @@ TEST_CASE("the filter changes no answer", "[reference][exact]") {
 }
 
 TEST_CASE("the filter never calls a hit a sure miss", "[reference][exact]") {
-    const unsigned seed = 11;
+    const int seed = 11;
     CAPTURE(seed);
-    Random random(seed);
-    const std::vector<glm::vec3> corners = triangle_soup(random);
+    RandomNumbers numbers(seed);
+    const std::vector<glm::vec3> corners = triangle_soup(numbers);
     for (int i = 0; i < 20000; ++i) {
         // Aimed along one triangle's edges and corners, in large and small coordinates.
         const int triangle = i % 65;
@@ -114,7 +113,8 @@ TEST_CASE("the filter never calls a hit a sure miss", "[reference][exact]") {
             corner *= scale;
         }
         const glm::vec3 target = three[0] + share * (three[1] - three[0]);
-        const Ray ray = ray_through(scale * point_in_cube(random, 2.0f), target);
+        const glm::vec3 origin = scale * 2.0f * numbers.in_cube();
+        const Ray ray{origin, target - origin, 0.0f, std::numeric_limits<float>::infinity()};
         if (surely_misses(ray, three)) {
             CAPTURE(i);
             REQUIRE_FALSE(exact_intersection(ray, three).hit);
@@ -123,14 +123,14 @@ TEST_CASE("the filter never calls a hit a sure miss", "[reference][exact]") {
 }
 
 TEST_CASE("no ray from inside leaves a closed sphere", "[reference][exact][T1][T2]") {
-    const unsigned seed = 3;
+    const int seed = 3;
     CAPTURE(seed);
-    Random random(seed);
-    const std::vector<glm::vec3> corners = sphere_mesh(2.0f, 20, 40);
-    REQUIRE(corners.size() == 4560);
+    RandomNumbers numbers(seed);
+    const Mesh sphere = shared_edge_sphere();
+    REQUIRE(sphere.corners.size() == 4560);
     for (const Aim aim : {Aim::anywhere, Aim::at_edges, Aim::at_corners}) {
-        const std::vector<Ray> rays = random_rays(aim, 2000, 0.9f, corners, random);
-        for (const ReferenceHit& hit : exact_nearest_hits(rays, corners)) {
+        const std::vector<Ray> rays = rays_at(sphere, aim, 2000, 0.9f, numbers);
+        for (const ReferenceHit& hit : exact_nearest_hits(rays, sphere.corners)) {
             REQUIRE(hit.triangle != no_triangle);
         }
     }

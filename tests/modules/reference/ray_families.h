@@ -1,52 +1,22 @@
 #pragma once
 
-#include "basics/ray.h"
-
-#include <glm/vec3.hpp>
-
-#include <limits>
-#include <random>
-#include <span>
-#include <vector>
+#include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 
 namespace raysteps {
 
-using Random = std::mt19937;
-
-inline glm::vec3 point_in_cube(Random& random, float half_side) {
-    std::uniform_real_distribution<float> coordinate(-half_side, half_side);
-    const float x = coordinate(random);
-    const float y = coordinate(random);
-    return {x, y, coordinate(random)};
-}
-
-// From the origin to the target at t = 1, and on without end.
-inline Ray ray_through(const glm::vec3& origin, const glm::vec3& target) {
-    return {origin, target - origin, 0.0f, std::numeric_limits<float>::infinity()};
-}
-
-// Where the rays of a test are aimed at. Corners and edges are where tests fail.
+// What the rays of a test are aimed at. Corners and edges are where tests fail.
 enum class Aim { anywhere, at_edges, at_corners };
 
-// Rays from random points of a cube around the origin, aimed at a random point of the mesh.
-inline std::vector<Ray> random_rays(Aim aim, std::size_t count, float half_side,
-                                    std::span<const glm::vec3> corners, Random& random) {
-    std::uniform_int_distribution<std::size_t> any_triangle(0, corners.size() / 3 - 1);
-    std::uniform_real_distribution<float> any_share(0.0f, 1.0f);
-    std::vector<Ray> rays;
-    while (rays.size() < count) {
-        const std::size_t first = 3 * any_triangle(random);
-        const glm::vec3 origin = point_in_cube(random, half_side);
-        const glm::vec3 a = corners[first];
-        const glm::vec3 b = corners[first + 1];
-        const float share = any_share(random);
-        if (aim == Aim::at_corners) {
-            rays.push_back(ray_through(origin, a));
-        } else if (aim == Aim::at_edges) {
-            rays.push_back(ray_through(origin, a + share * (b - a)));
-        } else {
-            rays.push_back(ray_through(origin, origin + point_in_cube(random, 1.0f)));
-        }
+// Rays from a cube around the origin, at the mesh; they never end.
+inline std::vector<Ray> rays_at(const Mesh& mesh, Aim aim, int count, float half_side,
+                                RandomNumbers& numbers) {
+    const glm::vec3 half(half_side);
+    std::vector<Ray> rays = aim == Aim::at_corners ? corner_aimed_rays(numbers, mesh, half, count)
+                            : aim == Aim::at_edges ? edge_aimed_rays(numbers, mesh, half, count)
+                                                   : random_rays_from_inside(numbers, half, count);
+    for (Ray& ray : rays) {
+        ray.t_max = std::numeric_limits<float>::infinity();
     }
     return rays;
 }

@@ -10,7 +10,7 @@ namespace raysteps {
 
 // The colour of the one pixel whose ray goes from the eye to the target.
 inline glm::vec3 middle_color(const Scene& scene, int max_bounces) {
-    return render_whitted(scene, 1, 1, max_bounces).at(0, 0);
+    return render_whitted(scene, 1, 1, {.max_bounces = max_bounces}).at(0, 0);
 }
 
 // The double is right to some 2^-48; rounding it to float moves it by at most 2^-24 of itself, and

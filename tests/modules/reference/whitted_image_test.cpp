@@ -17,7 +17,7 @@ TEST_CASE("row 0 of the image is its top and column 0 its left", "[reference][wh
     // At distance 5 the picture is 3.64 high and wide, so a pixel is 0.91: this one is at
     // (-1.36, 1.36).
     scene.corners = {{-1.9f, 0.9f, 0}, {-0.9f, 0.9f, 0}, {-1.4f, 2.5f, 0}};
-    const Image image = render_whitted(scene, 4, 4, 0);
+    const Image image = render_whitted(scene, 4, 4, {.max_bounces = 0});
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             const bool is_lit = row == 0 && column == 0;
@@ -42,7 +42,7 @@ TEST_CASE("a surface never shadows itself however far out and however grazing th
         scene.camera.target + glm::vec3(0.0f, -5.0f, std::max(height, offset / 1e6f));
     scene.lights = {{.position = scene.camera.eye, .color = glm::vec3(1.0f)}};
     scene.background = glm::vec3(1.0f);
-    for (const glm::vec3& color : render_whitted(scene, 48, 48, 0).pixels) {
+    for (const glm::vec3& color : render_whitted(scene, 48, 48, {.max_bounces = 0}).pixels) {
         REQUIRE(color.x > 0.0f);
     }
 }
@@ -60,21 +60,21 @@ TEST_CASE("only pixels beside an edge are sensitive to where their ray goes",
     const glm::vec3 start = side * (pixel / 1024.0f);
     add_triangle(scene, {start - 50.0f * along, start + 50.0f * along, 90.0f * side}, {0, 0, 1},
                  shining_material(glm::vec3(0.0f)));
-    const std::vector<double> sensitivity = whitted_sensitivity(scene, 17, 17, 0, 1.0 / 256.0);
+    const std::vector<double> sensitivity = whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 256.0);
     for (int i = 0; i < 17 * 17; ++i) {
         const int across = side.x != 0.0f ? i % 17 : i / 17;
         REQUIRE(sensitivity[static_cast<std::size_t>(i)] == (across == 8 ? 1.0 : 0.0));
     }
-    for (const double change : whitted_sensitivity(scene, 17, 17, 0, 1.0 / 4096.0)) {
+    for (const double change : whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 4096.0)) {
         REQUIRE(change == 0.0);
     }
 }
 
 TEST_CASE("a picture without pixels or with too many bounces is refused", "[reference][whitted]") {
     const Scene scene = empty_scene();
-    CHECK_THROWS_AS(render_whitted(scene, 0, 4, 1), InputError);
-    CHECK_THROWS_AS(render_whitted(scene, 4, -1, 1), InputError);
-    CHECK_THROWS_AS(render_whitted(scene, 4, 4, -1), InputError);
-    CHECK_THROWS_AS(render_whitted(scene, 4, 4, 1001), InputError);
-    CHECK_THROWS_AS(whitted_sensitivity(scene, 0, 4, 1, 0.1), InputError);
+    CHECK_THROWS_AS(render_whitted(scene, 0, 4, {.max_bounces = 1}), InputError);
+    CHECK_THROWS_AS(render_whitted(scene, 4, -1, {.max_bounces = 1}), InputError);
+    CHECK_THROWS_AS(render_whitted(scene, 4, 4, {.max_bounces = -1}), InputError);
+    CHECK_THROWS_AS(render_whitted(scene, 4, 4, {.max_bounces = 1001}), InputError);
+    CHECK_THROWS_AS(whitted_sensitivity(scene, 0, 4, {.max_bounces = 1}, 0.1), InputError);
 }

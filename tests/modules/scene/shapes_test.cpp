@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "open_edges.h"
-#include "scene/samples/surfaces.h"
+#include "scene/samples/samples.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,5 @@
 #include "catch.h"
 #include "scene/load_scene.h"
-#include "scene/toml/toml_scene.h"
 #include "scene/toml/toml_values.h"
 
 #include <rapidcheck.h>

@@ -1,7 +1,6 @@
 #include "catch.h"
 #include "basics/error.h"
 #include "scene/load_scene.h"
-#include "scene/toml/toml_scene.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,9 +1,8 @@
-#include "scene/toml/toml_scene.h"
+#include "scene/load_scene.h"
 
 #include "catch.h"
 #include "open_edges.h"
 #include "scene/frame_scene.h"
-#include "scene/load_scene.h"
 
 #include <glm/geometric.hpp>
 
