@@ -1,19 +1,13 @@
 #pragma once
 
-#include "basics/error.h"
-
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <algorithm>
-#include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace raysteps {
@@ -31,7 +25,7 @@ struct PackedStructure {
 // A choice that a builder leaves to its user: --NAME on the command line.
 struct BuildOption {
     std::string name;
-    std::string initial;
+    std::string initial; // what holds where it is not given
     std::string meaning;
 };
 
@@ -81,61 +75,5 @@ std::map<std::string, BuildOption> all_build_options();
 // it would be passed over in silence.
 void check_build_values(const std::map<std::string, std::string>& values,
                         std::span<const std::string> structures);
-
-// The options of a family with the values that a request has for them.
-struct BuildValues {
-    const std::vector<BuildOption>& options;
-    const BuildRequest& request;
-};
-
-// The option of that name. Throws InputError where there is none.
-inline const BuildOption& option_of(const BuildValues& values, const std::string& name) {
-    const auto place = std::find_if(values.options.begin(), values.options.end(),
-                                    [&](const BuildOption& option) { return option.name == name; });
-    if (place == values.options.end()) {
-        throw InputError("--" + name + ": the structure has no such option. See --help.");
-    }
-    return *place;
-}
-
-// As it was given, or the initial value.
-inline std::string text_of(const BuildValues& values, const std::string& name) {
-    const auto given = values.request.values.find(name);
-    return given == values.request.values.end() ? option_of(values, name).initial : given->second;
-}
-
-// The value as a number. Throws InputError where it is none, or out of range.
-template <class Number>
-Number number_of(const BuildValues& values, const std::string& name, Number lowest,
-                 Number highest) {
-    const std::string text = text_of(values, name);
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc{} || result.ptr != end || !(number >= lowest && number <= highest)) {
-        char range[64];
-        std::snprintf(range, sizeof range, "%.10g to %.10g", static_cast<double>(lowest),
-                      static_cast<double>(highest));
-        throw InputError("--" + name + " " + text + ": " + option_of(values, name).meaning +
-                         ". Give a number from " + range + ".");
-    }
-    return number;
-}
-
-// The value as one of a few words. Throws InputError where it is none of them.
-template <class Choice>
-Choice choice_of(const BuildValues& values, const std::string& name,
-                 const std::vector<std::pair<std::string, Choice>>& choices) {
-    const std::string text = text_of(values, name);
-    std::string words;
-    for (const auto& [word, choice] : choices) {
-        if (word == text) {
-            return choice;
-        }
-        words += (words.empty() ? "" : ", ") + word;
-    }
-    throw InputError("--" + name + " " + text + ": there is no such choice. Take one of " + words +
-                     ".");
-}
 
 } // namespace raysteps

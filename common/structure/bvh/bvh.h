@@ -57,15 +57,17 @@ enum class InsertionOrder {
 struct BvhOptions {
     BvhSplit split = BvhSplit::binned;
     int bins = 32;          // along each axis, from 2 to 256
-    int leaf_triangles = 4; // no leaf has more
+    int leaf_triangles = 7; // no leaf has more
     int depth_limit = 64;   // no leaf is deeper, unless it takes more to halve so many triangles
-    double traversal_cost = 1.0;
+    // A node costs twice as much as a triangle test: it is two fetches from memory, and rays that go
+    // side by side wait for each other at it (`./run.sh 06 --measure` shows what the costs do).
+    double traversal_cost = 3.0;
     double intersection_cost = 1.5;
     double reach = 0.0;                                // see usual_reach in structure/padding.h
     std::int64_t memory_limit = std::int64_t{4} << 30; // of the finished tree, in bytes
     unsigned threads = 0; // that build it; 0: as many as the machine has cores
     InsertionOrder insertion_order = InsertionOrder::shuffled;
-    int seed = 1; // of the shuffle
+    int seed = 1; // of the random insertion order
 };
 
 struct BvhMeasures {

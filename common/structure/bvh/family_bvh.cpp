@@ -1,8 +1,7 @@
 #include "structure/bvh/family_bvh.h"
 
 #include "structure/bvh/build_bvh.h"
-#include "structure/structure.h"
-#include "structure/bvh/bvh.h"
+#include "structure/options.h"
 
 #include <chrono>
 #include <string>
@@ -11,22 +10,33 @@ namespace raysteps {
 
 namespace {
 
-// A step costs more here than BvhOptions says: a node is two fetches from memory, and rays that go
-// side by side wait for each other at it. chapters/06_bvh --measure shows what the costs do.
-const std::vector<BuildOption>& options() {
-    static const std::vector<BuildOption> all{
-        {"split", "binned",
-         "median, insertion (one triangle after the other), binned or sweep (surface-area "
-         "heuristic at a few planes, or at all)"},
-        {"bins", "32", "planes to try along an axis, and one, for --split binned"},
-        {"traversal-cost", "3", "what a node costs"},
-        {"intersection-cost", "1.5", "what a triangle test costs"},
-        {"leaf-triangles", "7", "no leaf has more"},
-        {"depth", "64", "levels below the root, or as many as it takes to halve the triangles"},
-        {"memory-limit", "4096", "the most that the tree may take, in MiB"},
-        {"insertion-order", "shuffled", "shuffled or as_given, for --split insertion"},
-        {"seed", "1", "of the shuffle"},
-    };
+const std::vector<OptionRow<BvhOptions>>& rows() {
+    static const std::vector<OptionRow<BvhOptions>> all{
+        choice_option("split", &BvhOptions::split,
+                      {{"median", BvhSplit::median},
+                       {"insertion", BvhSplit::insertion},
+                       {"binned", BvhSplit::binned},
+                       {"sweep", BvhSplit::sweep}},
+                      "median, insertion (one triangle after another), binned or sweep "
+                      "(surface-area heuristic at a few planes, or at every one)"),
+        number_option("bins", &BvhOptions::bins, 2, 256,
+                      "bins per axis for --split binned (planes tried, plus one)"),
+        number_option("traversal-cost", &BvhOptions::traversal_cost, 0.0, 1e6,
+                      "cost of visiting a node"),
+        number_option("intersection-cost", &BvhOptions::intersection_cost, 0.0, 1e6,
+                      "cost of a triangle test"),
+        number_option("leaf-triangles", &BvhOptions::leaf_triangles, 1, 1 << 20,
+                      "most triangles in a leaf"),
+        number_option("depth", &BvhOptions::depth_limit, 0, 1 << 20,
+                      "most levels below the root, or as many as halving the triangles takes"),
+        number_option("memory-limit", &BvhOptions::memory_limit, 1, 1 << 20,
+                      "most memory for the tree, in MiB", 1 << 20),
+        choice_option("insertion-order", &BvhOptions::insertion_order,
+                      {{"shuffled", InsertionOrder::shuffled},
+                       {"as_given", InsertionOrder::as_given}},
+                      "shuffled or as_given, for --split insertion"),
+        number_option("seed", &BvhOptions::seed, 0, 1 << 30,
+                      "seed of the random insertion order")};
     return all;
 }
 
@@ -62,31 +72,14 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 } // namespace
 
 BvhOptions bvh_options_of(const BuildRequest& request) {
-    const BuildValues values{options(), request};
-    BvhOptions chosen;
-    chosen.split = choice_of<BvhSplit>(values, "split",
-                                       {{"median", BvhSplit::median},
-                                        {"insertion", BvhSplit::insertion},
-                                        {"binned", BvhSplit::binned},
-                                        {"sweep", BvhSplit::sweep}});
-    chosen.bins = number_of<int>(values, "bins", 2, 256);
-    chosen.traversal_cost = number_of<double>(values, "traversal-cost", 0.0, 1e6);
-    chosen.intersection_cost = number_of<double>(values, "intersection-cost", 0.0, 1e6);
-    chosen.leaf_triangles = number_of<int>(values, "leaf-triangles", 1, 1 << 20);
-    chosen.depth_limit = number_of<int>(values, "depth", 0, 1 << 20);
-    chosen.memory_limit = number_of<std::int64_t>(values, "memory-limit", 1, 1 << 20) * (1 << 20);
-    chosen.insertion_order = choice_of<InsertionOrder>(
-        values, "insertion-order",
-        {{"shuffled", InsertionOrder::shuffled}, {"as_given", InsertionOrder::as_given}});
-    chosen.seed = number_of<int>(values, "seed", 0, 1 << 30);
-    chosen.reach = static_cast<double>(request.reach);
-    return chosen;
+    BvhOptions options = read_options(rows(), request);
+    options.reach = static_cast<double>(request.reach);
+    return options;
 }
 
-// Serves structure/bvh/bvh_skip.glsl, bvh_skip_padded.glsl, bvh_ordered.glsl, bvh_parent.glsl and
-// bvh_stack.glsl.
+// Serves every walk bvh_NAME.glsl of shaders/structure.
 StructureFamily family_bvh() {
-    return {"bvh", options(), build};
+    return {"bvh", options_of(rows()), build};
 }
 
 } // namespace raysteps

@@ -1,5 +1,5 @@
 #include "structure/grid/build_grid.h"
-#include "structure/structure.h"
+#include "structure/options.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,25 +9,14 @@ namespace raysteps {
 
 namespace {
 
-const std::vector<BuildOption>& options() {
-    static const std::vector<BuildOption> all{
-        {"density", "4", "cells a triangle"},
-        {"resolution", "0", "cells along the longest side, or 0 to follow --density"},
-        {"memory-limit", "4096", "the most that cells and references may take, in MiB"},
-    };
+const std::vector<OptionRow<GridOptions>>& rows() {
+    static const std::vector<OptionRow<GridOptions>> all{
+        number_option("density", &GridOptions::density, 1e-6, 1e6, "cells per triangle"),
+        number_option("resolution", &GridOptions::resolution, 0, 1 << 20,
+                      "cells along the longest side, or 0 to follow --density"),
+        number_option("memory-limit", &GridOptions::memory_limit, 1, 1 << 20,
+                      "most memory for cells and references, in MiB", 1 << 20)};
     return all;
-}
-
-GridOptions options_of(const BuildRequest& request) {
-    const BuildValues values{options(), request};
-    GridOptions grid_options;
-    grid_options.density = number_of<double>(values, "density", 1e-6, 1e6);
-    grid_options.resolution = number_of<int>(values, "resolution", 0, 1 << 20);
-    grid_options.memory_limit =
-        number_of<std::int64_t>(values, "memory-limit", 1, 1 << 20) * (1LL << 20U);
-    grid_options.say = request.say;
-    grid_options.reach = static_cast<double>(request.reach);
-    return grid_options;
 }
 
 // How full the cells are: of empty ones a walk pays for nothing but the step.
@@ -69,7 +58,9 @@ std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double secon
 }
 
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    const GridOptions grid_options = options_of(request);
+    GridOptions grid_options = read_options(rows(), request);
+    grid_options.say = request.say;
+    grid_options.reach = static_cast<double>(request.reach);
     const auto start = std::chrono::steady_clock::now();
     Grid grid = build_grid(corners, grid_options);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -83,7 +74,7 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 
 // Serves structure/grid/grid.glsl and structure/grid/grid_mailbox.glsl.
 StructureFamily family_grid() {
-    return {"grid", options(), build};
+    return {"grid", options_of(rows()), build};
 }
 
 } // namespace raysteps

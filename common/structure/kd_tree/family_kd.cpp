@@ -1,5 +1,5 @@
 #include "structure/kd_tree/build_kd_tree.h"
-#include "structure/structure.h"
+#include "structure/options.h"
 #include "structure/kd_tree/kd_tree.h"
 
 #include <chrono>
@@ -9,34 +9,26 @@ namespace raysteps {
 
 namespace {
 
-const std::vector<BuildOption>& options() {
-    static const std::vector<BuildOption> all{
-        {"split", "area", "area (surface-area heuristic) or median (middle of the longest side)"},
-        {"traversal-cost", "1", "what a step down costs"},
-        {"intersection-cost", "1.5", "what a triangle test costs"},
-        {"empty-bonus", "0.2", "by this part a split is cheaper that cuts off empty space"},
-        {"leaf-triangles", "2", "so many triangles are never split"},
-        {"depth", "-1", "levels below the root, or -1 for 8 + 1.3 log2 of the triangles"},
-        {"bad-splits", "0", "splits in a row that may not pay by themselves"},
-        {"memory-limit", "4096", "the most that the tree may take, in MiB"},
-    };
+const std::vector<OptionRow<KdOptions>>& rows() {
+    static const std::vector<OptionRow<KdOptions>> all{
+        choice_option("split", &KdOptions::split,
+                      {{"area", KdSplit::area}, {"median", KdSplit::median}},
+                      "area (surface-area heuristic) or median (middle of the longest side)"),
+        number_option("traversal-cost", &KdOptions::traversal_cost, 0.0, 1e6,
+                      "cost of a step down"),
+        number_option("intersection-cost", &KdOptions::intersection_cost, 1e-6, 1e6,
+                      "cost of a triangle test"),
+        number_option("empty-bonus", &KdOptions::empty_bonus, 0.0, 1.0,
+                      "discount, 0 to 1, for a split that cuts off empty space"),
+        number_option("leaf-triangles", &KdOptions::leaf_triangles, 0, 1 << 20,
+                      "a node with no more triangles is not split"),
+        number_option("depth", &KdOptions::depth_limit, -1, 64,
+                      "most levels below the root, or -1 for 8 + 1.3 log2 of the triangles"),
+        number_option("bad-splits", &KdOptions::bad_splits, 0, 16,
+                      "how many splits in a row may not pay by themselves"),
+        number_option("memory-limit", &KdOptions::most_bytes, 1, 8192,
+                      "most memory for the tree, in MiB", std::size_t{1} << 20)};
     return all;
-}
-
-KdOptions options_of(const BuildRequest& request) {
-    const BuildValues values{options(), request};
-    KdOptions chosen;
-    chosen.split =
-        choice_of<KdSplit>(values, "split", {{"area", KdSplit::area}, {"median", KdSplit::median}});
-    chosen.traversal_cost = number_of<double>(values, "traversal-cost", 0.0, 1e6);
-    chosen.intersection_cost = number_of<double>(values, "intersection-cost", 1e-6, 1e6);
-    chosen.empty_bonus = number_of<double>(values, "empty-bonus", 0.0, 1.0);
-    chosen.leaf_triangles = number_of<int>(values, "leaf-triangles", 0, 1 << 20);
-    chosen.depth_limit = number_of<int>(values, "depth", -1, 64);
-    chosen.bad_splits = number_of<int>(values, "bad-splits", 0, 16);
-    chosen.most_bytes = number_of<std::size_t>(values, "memory-limit", 1, 8192) << 20;
-    chosen.reach = request.reach;
-    return chosen;
 }
 
 std::vector<Fact> facts_of(const KdMeasures& measures, std::size_t triangles, double seconds) {
@@ -57,7 +49,8 @@ std::vector<Fact> facts_of(const KdMeasures& measures, std::size_t triangles, do
 }
 
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    const KdOptions chosen = options_of(request);
+    KdOptions chosen = read_options(rows(), request);
+    chosen.reach = request.reach;
     const auto start = std::chrono::steady_clock::now();
     const KdTree tree = build_kd_tree(corners, chosen);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -69,9 +62,9 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 
 } // namespace
 
-// Serves structure/kd_tree/kd_restart.glsl, kd_backtrack.glsl, kd_short_stack.glsl and kd_ropes.glsl.
+// Serves every walk kd_NAME.glsl of shaders/structure.
 StructureFamily family_kd() {
-    return {"kd", options(), build};
+    return {"kd", options_of(rows()), build};
 }
 
 } // namespace raysteps

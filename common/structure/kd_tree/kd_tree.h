@@ -59,8 +59,8 @@ struct KdOptions {
     KdSplit split = KdSplit::area;
     double traversal_cost = 1.0;
     double intersection_cost = 1.5;
-    double empty_bonus = 0.2; // by this part a split is cheaper that cuts off empty space
-    int leaf_triangles = 2;   // so many triangles are never split
+    double empty_bonus = 0.2; // discount for a split that cuts off empty space
+    int leaf_triangles = 2;   // a node with no more is not split
     int depth_limit = -1;     // of a leaf, the root being at 0; below 0, 8 + 1.3 log2 n
     int bad_splits = 0; // in a row that may not pay by themselves, in the hope of a better one
     float reach = 0.0f; // see usual_reach in structure/padding.h
