@@ -1,22 +1,19 @@
 #include "grid_knob.h"
 
-#include "grid_trail.h"
-#include "subject.h"
-#include "trace_trials.h"
-#include "scene/mesh.h"
 #include "basics/random_numbers.h"
+#include "grid_trail.h"
+#include "scene/mesh.h"
 #include "scene/shapes.h"
 #include "structure/grid/grid.h"
 #include "structure/padding.h"
+#include "subject.h"
+#include "trace_trials.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace raysteps {
 
 namespace {
-
-constexpr float no_end = std::numeric_limits<float>::max();
 
 struct GridMethod {
     std::string name;
@@ -24,9 +21,8 @@ struct GridMethod {
 };
 
 const std::vector<GridMethod>& grid_methods() {
-    static const std::vector<GridMethod> all{
-        {"from the index", "structure/grid/grid.glsl"},
-        {"added up", "exhibit/grid_accumulated.glsl"}};
+    static const std::vector<GridMethod> all{{"from the index", "structure/grid/grid.glsl"},
+                                             {"added up", "exhibit/grid_accumulated.glsl"}};
     return all;
 }
 
@@ -130,8 +126,9 @@ Scene crumbs(int seed) {
 
 void add_hits(Knob& knob, const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(crumbs(effort.seed));
-    std::vector<AimedFamily> rays = aim_at(scene->corners, effort.judged_rays, effort.seed);
-    std::erase_if(rays, [](const AimedFamily& family) { return family.name != "inside"; });
+    std::vector<RayFamily> rays =
+        families_from_inside(scene->corners, effort.judged_rays, effort.seed);
+    std::erase_if(rays, [](const RayFamily& family) { return family.name != "inside"; });
     rays.front().name = "at crumbs";
     const float reach = reach_of(rays.front().rays, scene->corners);
     const auto textures = build_textures(*scene, "grid", reach, {{"resolution", "64"}});

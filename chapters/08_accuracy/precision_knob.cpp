@@ -1,10 +1,10 @@
 #include "precision_knob.h"
 
-#include "subject.h"
-#include "trace_trials.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
 #include "structure/padding.h"
+#include "subject.h"
+#include "trace_trials.h"
 
 #include <algorithm>
 
@@ -13,9 +13,10 @@ namespace raysteps {
 Knob precision_knob(const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(
         add_mesh({}, sphere({0.3f, -0.2f, 0.1f}, 1.0f, 8), Material{}));
-    std::vector<AimedFamily> families;
+    std::vector<RayFamily> families;
     float reach = 0.0f;
-    for (AimedFamily& family : aim_at(scene->corners, effort.judged_rays, effort.seed)) {
+    for (RayFamily& family :
+         families_from_inside(scene->corners, effort.judged_rays, effort.seed)) {
         if (family.name != "leaving" && family.name != "axis" && family.name != "inside") {
             reach = std::max(reach, reach_of(family.rays, scene->corners));
             families.push_back(std::move(family));

@@ -1,15 +1,15 @@
 #include "slab_knob.h"
 
 #include "basics/box.h"
+#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/gl.h"
 #include "gpu/shaders.h"
+#include "hard_cases/aimed_rays.h"
 #include "reference/exact.h"
 #include "render/rays.h"
-#include "basics/random_numbers.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 namespace raysteps {
@@ -17,7 +17,6 @@ namespace raysteps {
 namespace {
 
 constexpr int box_count = 128; // as many as pass/trace/meet_boxes.frag has bits for
-constexpr float no_end = std::numeric_limits<float>::max();
 
 // Rays that each were aimed at one of the boxes.
 struct BoxFamily {
@@ -106,7 +105,8 @@ BufferTexture upload_boxes(std::span<const Box> boxes) {
 class MeetBoxes {
 public:
     MeetBoxes(const std::string& part, const BoxFamily& family, std::size_t ray_count)
-        : program_("pass/trace/meet_boxes.frag", {{"slab", part}}), boxes_(upload_boxes(family.boxes)),
+        : program_("pass/trace/meet_boxes.frag", {{"slab", part}}),
+          boxes_(upload_boxes(family.boxes)),
           rays_(upload_rays(std::span(family.rays).first(ray_count))),
           met_(TexelFormat::rgba32ui, rays_.origins.width(), rays_.origins.height()) {
         program_.set("ray_origins", rays_.origins)

@@ -1,11 +1,11 @@
 #include "speed_knob.h"
 
-#include "aimed_rays.h"
-#include "subject.h"
 #include "gpu/shaders.h"
+#include "hard_cases/aimed_rays.h"
 #include "render/rays.h"
 #include "render/trace_rays.h"
 #include "structure/padding.h"
+#include "subject.h"
 
 #include <cstring>
 #include <map>
@@ -70,7 +70,8 @@ std::vector<std::shared_ptr<SpeedFamily>> families_of(const Scene& scene, const 
     if (scene.corners.empty()) {
         return families;
     }
-    for (const AimedFamily& family : aim_at(scene.corners, effort.timed_rays, effort.seed)) {
+    for (const RayFamily& family :
+         families_from_inside(scene.corners, effort.timed_rays, effort.seed)) {
         if (family.name == "vertex") {
             families.push_back(std::make_shared<SpeedFamily>(
                 SpeedFamily{family.name, upload_rays(family.rays), family.rays.size()}));

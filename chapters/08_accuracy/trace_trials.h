@@ -1,7 +1,7 @@
 #pragma once
 
-#include "aimed_rays.h"
 #include "effort.h"
+#include "hard_cases/aimed_rays.h"
 #include "knob.h"
 #include "reference/exact.h"
 #include "render/scene_textures.h"
@@ -30,7 +30,7 @@ struct TraceFamily {
 };
 
 // The families with the truth of exact arithmetic on the float inputs.
-std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<AimedFamily> families,
+std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<RayFamily> families,
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort);
 

@@ -44,7 +44,7 @@ Knob triangle_knob(const std::string& name, const std::shared_ptr<const Subject>
     }
     const std::span<const glm::vec3> corners = subject->scene.corners;
     const auto families =
-        with_truth(aim_at(corners, effort.judged_rays, effort.seed), corners, effort);
+        with_truth(families_from_inside(corners, effort.judged_rays, effort.seed), corners, effort);
     Knob knob;
     knob.name = name;
     knob.question = "Where does a ray meet a triangle? On " + subject->scene.name + ".";

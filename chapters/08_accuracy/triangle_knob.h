@@ -1,9 +1,9 @@
 #pragma once
 
 #include "effort.h"
+#include "gpu/shaders.h"
 #include "knob.h"
 #include "subject.h"
-#include "gpu/shaders.h"
 
 #include <string>
 
@@ -17,7 +17,7 @@ struct TriangleMethod {
 
 const std::vector<TriangleMethod>& triangle_methods();
 
-// All triangle tests, on families of rays at the subject (08_accuracy/aimed_rays.h).
+// All triangle tests, on families of rays at the subject (hard_cases/aimed_rays.h).
 Knob triangle_knob(const std::string& name, const std::shared_ptr<const Subject>& subject,
                    const Effort& effort);
 

@@ -165,7 +165,7 @@ void print(const std::vector<SceneProof>& proofs) {
             std::printf(" %.2f |\n", proof.planned_seconds / proof.chapter_03_seconds);
         }
     }
-    std::printf("\nWhat a picture costs less without one of its effects:\n");
+    std::printf("\nWhat leaving out one of its effects saves:\n");
     for (const SceneProof& proof : proofs) {
         std::printf("%-14s", proof.scene.c_str());
         for (const auto& [effect, seconds] : proof.without) {
@@ -198,7 +198,7 @@ nlohmann::ordered_json numbers_of(const std::vector<SceneProof>& proofs) {
 
 void draw_chart(const Command& command, const std::vector<SceneProof>& proofs) {
     BarChart chart{.title = "Every effect, and the renderer of chapter 03, against the plan",
-                   .y_label = "time of the processor; the plan takes 1",
+                   .y_label = "processor time; the plan takes 1",
                    .labels = {},
                    .series = {{"planned", {}}, {"everything", {}}, {"chapter 03", {}}}};
     for (const SceneProof& proof : proofs) {

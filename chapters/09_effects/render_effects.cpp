@@ -81,18 +81,19 @@ nlohmann::ordered_json numbers_of(const Command& command, const RendererOfView& 
 } // namespace
 
 void add_effect_options(CLI::App& app, EffectOptions& options) {
-    app.add_option("--effects", options.effects,
-                   "effects forced on or off, as in +refraction,-shadows; +all is every effect");
+    app.add_option(
+        "--effects", options.effects,
+        "force effects on or off, for example +refraction,-shadows; +all is every effect");
     app.add_option("--max-bounces", options.quality.max_bounces,
-                   "how many mirrors and surfaces of glass a path is followed to, 0 to 1000")
+                   "mirrors and glass surfaces that a path is followed through, 0 to 1000")
         ->capture_default_str()
         ->check(CLI::Range(0, 1000));
     app.add_option("--faintest", options.quality.faintest,
-                   "a path that counts at most this part of its pixel is not followed, 0 to 1")
+                   "paths that contribute at most this part of their pixel are dropped, 0 to 1")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--samples", options.samples,
-                   "rays a pixel, 1 to 4096; 0 is what the scene says")
+                   "rays per pixel, 1 to 4096; 0 means what the scene says")
         ->check(CLI::Range(0, 4096));
     app.add_flag("--explain", options.explain,
                  "print the effects with their reasons, the passes, rays by kind and memory");

@@ -8,11 +8,11 @@
 
 namespace raysteps {
 
-// What chapter 09 asks for beside the options that all chapters share.
+// The options of chapter 09 besides those that all chapters share.
 struct EffectOptions {
     std::string effects; // forced on and off
     Quality quality;
-    int samples = 0; // rays a pixel; 0 is what the scene says
+    int samples = 0; // rays per pixel; 0 means what the scene says
     bool explain = false;
 };
 

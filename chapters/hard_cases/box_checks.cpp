@@ -1,8 +1,8 @@
 #include "basics/error.h"
 #include "hard_cases/aimed_rays.h"
+#include "mirror/trace_by_mirror.h"
 #include "mirror/walks.h"
 #include "structure/bvh/build_bvh.h"
-#include "mirror/trace_by_mirror.h"
 #include "trials.h"
 
 #include <limits>
@@ -85,7 +85,7 @@ std::vector<Trial> box_checks() {
                                                        count_wrong(aimed, meets_plain_box),
                                                        aimed.size())};
          }},
-        {"B5", "the empty box, and one that is no number", "", "", empty_box},
+        {"B5", "the empty box, and one with a NaN", "", "", empty_box},
     };
 }
 

@@ -46,8 +46,7 @@ Scene white_furnace() {
 
 std::vector<glm::vec3> picture(const Scene& scene, int side, int bounces, GpuMethods* gpu) {
     if (gpu != nullptr) {
-        WhittedRenderer renderer(scene, upload(scene),
-                                 {{"triangle", "triangle/watertight.glsl"}},
+        WhittedRenderer renderer(scene, upload(scene), {{"triangle", "triangle/watertight.glsl"}},
                                  gpu->limits());
         return renderer.render(scene.camera, side, side, bounces).pixels;
     }
@@ -102,8 +101,7 @@ std::vector<Trial> effect_checks() {
     return {
         {"E3", "two facing mirrors, followed 0, 1, 64 and 1000 times", "", "a limit of depth",
          between_mirrors},
-        {"E4", "a perfect mirror before a white sky gives no light and takes none", "", "",
-         furnace},
+        {"E4", "a perfect mirror before a white sky neither adds nor loses light", "", "", furnace},
     };
 }
 

@@ -34,9 +34,10 @@ std::vector<FileCase> file_cases() {
     return {
         {"F1", "nan as text", corners + "v nan 0 0\nf 1 2 3\n", -1, no_number},
         {"F2", "inf as text", "v 0 0 0\nv inf 0 0\nv 0 1 0\nf 1 2 3\n", -1, no_number},
-        {"F3", "1e39, which is no float", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n", -1, no_number},
-        {"F4", "a number whose square is no float", "v 0 0 0\nv -1.9e18 0 0\nv 0 1 0\nf 1 2 3\n",
+        {"F3", "1e39, which is too large for a float", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n",
          -1, no_number},
+        {"F4", "a number whose square overflows a float",
+         "v 0 0 0\nv -1.9e18 0 0\nv 0 1 0\nf 1 2 3\n", -1, no_number},
         {"F5", "an index that would wrap to the first vertex", corners + "f 4294967297 2 3\n", -1,
          "4294967297"},
         {"F6", "an index out of range", corners + "f 1 2 99999\n", -1, "names vertex 99999"},

@@ -3,9 +3,9 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "hard_cases/hard_cases.h"
-#include "structure/structure.h"
-#include "structure/padding.h"
 #include "mirror/trace_by_mirror.h"
+#include "structure/padding.h"
+#include "structure/structure.h"
 #include "tally.h"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ std::optional<FuzzFault> find_no_answer(const HardScene& made,
         try {
             const std::vector<Hit> hits = methods[m].trace(made);
             if (!is_finite(made.mesh)) {
-                return FuzzFault{0, methods[m].name, "takes a scene that is not finite", made};
+                return FuzzFault{0, methods[m].name, "accepts a scene that is not finite", made};
             }
             if (count_unanswered(hits, triangles) > 0) {
                 return FuzzFault{0, methods[m].name, "gives no answer", made};
@@ -150,8 +150,7 @@ FuzzFault shrink(FuzzFault fault, const std::vector<FuzzMethod>& methods, FindFa
                 HardScene less = fault.made;
                 auto& list = list_of(less);
                 const std::size_t end = std::min(begin + part * stride, list.size());
-                list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin),
-                           list.begin() + static_cast<std::ptrdiff_t>(end));
+                list.erase(list.begin() + begin, list.begin() + end);
                 less.mesh.normals.resize(less.mesh.corners.size());
                 auto still = find(less, methods);
                 if (still) {

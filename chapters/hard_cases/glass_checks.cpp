@@ -1,8 +1,8 @@
-#include "render/effects/effects_renderer.h"
 #include "hard_cases/aimed_rays.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
 #include "reference/whitted.h"
+#include "render/effects/effects_renderer.h"
 #include "scene/pack_scene.h"
 #include "scene/shapes.h"
 #include "trials.h"
@@ -42,10 +42,10 @@ Scene glass_slab() {
 
 Image glass_picture(const Scene& scene, int side, const Quality& quality, GpuMethods& gpu) {
     const Plan plan = make_plan(scene, 1.0, "", quality);
-    EffectsRenderer renderer(scene, upload(scene), plan,
-                             {{"triangle", "triangle/watertight.glsl"},
-                              {"structure", "structure/every_triangle.glsl"}},
-                             gpu.limits());
+    EffectsRenderer renderer(
+        scene, upload(scene), plan,
+        {{"triangle", "triangle/watertight.glsl"}, {"structure", "structure/every_triangle.glsl"}},
+        gpu.limits());
     return renderer.render(scene.camera, side, side);
 }
 
@@ -124,7 +124,7 @@ Mirror::Ray downward_ray(RandomNumbers& numbers, double degrees) {
 }
 
 // How far off a ray's own direction may be behind the glass. Up to 60 degrees it is a millionth,
-// which the case asks for. A surface takes the cosine behind it from a square root, which makes
+// which the case demands. A surface takes the cosine behind it from a square root, which makes
 // 2^-24 / cosine of a rounding of 2^-24; there are fewer than eight roundings at each of two
 // surfaces, and that is the room for rays that graze.
 double room_at(double degrees) {
@@ -201,7 +201,7 @@ std::vector<Trial> glass_checks() {
         {"E1", "from glass to air, at the angle from which on all is reflected",
          "Fresnel, Memoire sur la loi des modifications que la reflexion imprime a la lumiere, "
          "1823",
-         "ask for the sine behind before the root is taken", total_reflection},
+         "test the sine behind before the root is taken", total_reflection},
         {"E2", "a ray through a slab of glass, straight, grazing and with another within", "", "",
          through_slabs},
     };

@@ -15,11 +15,11 @@ using namespace raysteps;
 
 namespace {
 
-// What a person asks of the program.
+// What the program is to do.
 struct TrialRequest {
     std::string name; // of one case; empty for all
     bool list = false;
-    int rays = 0; // 0: as many as is usual
+    int rays = 0; // 0: the usual number
     bool is_long = false;
     double fuzz_seconds = 0.0;
     int seed = 1;
@@ -131,7 +131,8 @@ void run_trials(const Command& command, const TrialRequest& request) {
     const std::size_t broken = count_rows(results, Verdict::fail);
     std::cout << "\n"
               << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "
-              << count_rows(results, Verdict::reported) << " figures without a promise\n";
+              << count_rows(results, Verdict::reported)
+              << " figures that nothing was promised for\n";
     if (broken > 0) {
         throw Error(ExitCode::check_failed,
                     "promises broken: " + std::to_string(broken) +
@@ -147,23 +148,24 @@ int main(int argc, char** argv) {
     command.out = std::filesystem::path("out") / command.chapter;
     TrialRequest request;
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("--case", request.name, "only this one, as in T1; --list names them all");
+    app.add_option("--case", request.name, "only this case, for example T1; see --list");
     app.add_flag("--list", request.list, "print the names and titles of all cases");
-    app.add_option("--rays", request.rays, "rays of each case, where so many make sense")
+    app.add_option("--rays", request.rays, "rays per case, up to what makes sense for it")
         ->check(CLI::Range(1, 1 << 30));
     app.add_flag("--long", request.is_long,
-                 "ten million rays at shared edges and ten million at shared corners of a closed "
-                 "mesh, or --rays of each, through every structure");
+                 "ten million rays (or --rays) at shared edges and as many at shared corners of "
+                 "a closed mesh, through every structure");
     app.add_option("--fuzz", request.fuzz_seconds,
-                   "for so many seconds: random meshes and rays with garbage bits, every "
-                   "structure against the loop");
-    app.add_option("--seed", request.seed, "of all random numbers")->capture_default_str();
-    app.add_option("--by", request.by, "cpp, gpu or both")->capture_default_str();
+                   "seconds of fuzzing: random meshes and rays with garbage bits, every structure "
+                   "against the loop");
+    app.add_option("--seed", request.seed, "seed of all random numbers")->capture_default_str();
+    app.add_option("--by", request.by, "which implementations to try: cpp, gpu or both")
+        ->capture_default_str();
     app.add_option("--context", command.context, "where OpenGL runs: auto, osmesa, egl or window")
         ->capture_default_str();
     app.add_option("--out", command.out, "the folder for what the fuzzer finds")
         ->capture_default_str();
-    app.add_option("--json", command.json, "a file for the rows");
-    app.add_option("--csv", request.csv, "a file for the rows");
+    app.add_option("--json", command.json, "a file for the rows of the table");
+    app.add_option("--csv", request.csv, "a file for the rows of the table");
     return run_command(app, command, argc, argv, [&] { run_trials(command, request); });
 }

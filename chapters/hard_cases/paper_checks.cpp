@@ -1,9 +1,9 @@
 #include "basics/error.h"
-#include "hard_cases/meshes.h"
-#include "hard_cases/aimed_rays.h"
-#include "mirror/walks.h"
-#include "mirror/mirror_scene.h"
 #include "basics/random_numbers.h"
+#include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
+#include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 #include "scene/shapes.h"
 #include "trials.h"
 
@@ -51,7 +51,7 @@ std::vector<TrialRow> cover_behind_a_lamp(const TrialTools& tools) {
             reported_row("any hit, however far", "C++", "lit", dark_by_any_hit, tried)};
 }
 
-// Which of the triangles in one place is the nearest, when they are visited from the first to the
+// Which of the coinciding triangles is the nearest, when they are visited from the first to the
 // last and from the last to the first.
 std::vector<TrialRow> two_orders(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
@@ -110,7 +110,7 @@ std::vector<Trial> paper_checks() {
     return {
         {"P1", "the listing as it is printed: a second a, no q, a float3 for a number", paper,
          "give the cross product a name of its own", as_printed},
-        {"P10s", "the listing's strict t < lasthit.z, where triangles lie in one place", paper,
+        {"P10s", "the listing's strict t < lasthit.z, where triangles coincide", paper,
          "of equal t, the smaller number of the triangle", two_orders},
         {"P11", "numbers of triangles from 2^24 on in the record of a hit", paper,
          "keep integers as integers", numbers_as_floats},

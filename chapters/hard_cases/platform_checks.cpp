@@ -1,9 +1,9 @@
 #include "basics/error.h"
+#include "basics/random_numbers.h"
 #include "gpu/context.h"
 #include "hard_cases/hard_cases.h"
-#include "basics/random_numbers.h"
-#include "trials.h"
 #include "tally.h"
+#include "trials.h"
 
 #include <algorithm>
 #include <limits>
@@ -69,7 +69,7 @@ std::vector<TrialRow> bits_in_textures(const TrialTools& tools) {
 std::vector<Trial> platform_checks() {
     return {
         {"L1", "OpenGL may stop a loop silently: a walk goes on in another launch", "",
-         "keep the place of the walk in a texture", cut_walks},
+         "keep the position of the walk in a texture", cut_walks},
         {"L2", "numbers come back from textures as they went in", "", "", bits_in_textures},
     };
 }

@@ -1,10 +1,10 @@
 #include "trials.h"
 
 #include "gpu/shaders.h"
-#include "reference/exact.h"
-#include "structure/structure.h"
-#include "structure/padding.h"
 #include "mirror/trace_by_mirror.h"
+#include "reference/exact.h"
+#include "structure/padding.h"
+#include "structure/structure.h"
 #include "tally.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace raysteps {
 namespace {
 
 constexpr int usual_rays = 10000;
-constexpr int rays_a_batch = 1 << 18; // what textures and buffers hold at a time
+constexpr int rays_per_batch = 1 << 18; // what textures and buffers hold at a time
 
 // One batch of a case with everything that its methods need.
 struct Batch {
@@ -171,9 +171,9 @@ std::vector<TrialRow> run_hard_case(const HardCase& hard_case, const TrialTools&
     const int wanted = tools.rays > 0 ? tools.rays : usual_rays;
     const int rays = std::min(wanted, hard_case.most_rays);
     Tallies tallies;
-    for (int done = 0, seed = tools.seed; done < rays; done += rays_a_batch, ++seed) {
+    for (int done = 0, seed = tools.seed; done < rays; done += rays_per_batch, ++seed) {
         tools.progress(static_cast<double>(done) / rays);
-        const Batch batch = make_batch(hard_case, {std::min(rays_a_batch, rays - done), seed});
+        const Batch batch = make_batch(hard_case, {std::min(rays_per_batch, rays - done), seed});
         if (tools.by_mirror) {
             try_triangle_tests(hard_case, batch, tallies);
             try_structures(hard_case, batch, tallies);

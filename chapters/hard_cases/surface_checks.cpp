@@ -1,6 +1,6 @@
 #include "hard_cases/meshes.h"
-#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 #include "trials.h"
 
 #include <array>
@@ -131,7 +131,7 @@ std::vector<Trial> surface_checks() {
          "move the origin off the plane",
          [](const TrialTools& tools) { return leave_surfaces(tools, any_parallelogram); }},
         {"S6", "a surface 4e-5 behind another must still be hit", "",
-         "move the origin by no more than rounding asks for", close_behind},
+         "move the origin by no more than rounding needs", close_behind},
     };
 }
 

@@ -1,9 +1,9 @@
 #include "hard_cases/meshes.h"
 #include "structure/bvh/build_bvh.h"
-#include "structure/kd_tree/build_kd_tree.h"
-#include "structure/bvh/check_bvh.h"
-#include "structure/kd_tree/check_kd_tree.h"
 #include "structure/bvh/bvh.h"
+#include "structure/bvh/check_bvh.h"
+#include "structure/kd_tree/build_kd_tree.h"
+#include "structure/kd_tree/check_kd_tree.h"
 #include "structure/kd_tree/kd_tree.h"
 #include "trials.h"
 
@@ -23,7 +23,7 @@ constexpr std::array splits{
     NamedSplit{"bvh median", BvhSplit::median}, NamedSplit{"bvh binned", BvhSplit::binned},
     NamedSplit{"bvh sweep", BvhSplit::sweep}, NamedSplit{"bvh insertion", BvhSplit::insertion}};
 
-// A row of a tree's depth, which must not be over the limit, and of its faults, of which there must
+// A row for a tree: its depth, which must not exceed the limit, and its faults, of which there must
 // be none.
 TrialRow depth_row(const std::string& method, int depth, int limit, std::size_t faults) {
     const bool right = depth <= limit && faults == 0;
@@ -142,12 +142,12 @@ std::vector<TrialRow> areas_beyond_floats(const TrialTools& tools) {
         const bool parted = check_bvh(bvh, corners).empty() && bvh.nodes.size() > 2 &&
                             std::max(bvh.nodes[1].box.lower.x, bvh.nodes[2].box.lower.x) > 0.0f &&
                             std::min(bvh.nodes[1].box.upper.x, bvh.nodes[2].box.upper.x) < 0.0f;
-        rows.push_back(promised_row(split.name, "C++", "the heaps are parted", parted ? 0 : 1, 1));
+        rows.push_back(promised_row(split.name, "C++", "the heaps are split", parted ? 0 : 1, 1));
     }
     return rows;
 }
 
-// How often a node is not reached exactly once from the root.
+// How many nodes are not reached exactly once from the root.
 std::size_t count_wrong_arrivals(const Bvh& bvh) {
     std::vector<int> arrivals(bvh.nodes.size(), 0);
     std::vector<std::size_t> stack{0};
@@ -184,17 +184,17 @@ std::vector<Trial> tree_checks() {
     return {
         {"P15", "BuildTree, for no triangle, 1,000 copies of one, and 1,000 with one centre",
          "Wang and Wen, Research of Acceleration Structures for GPU Based Ray Tracing, 2010",
-         "end at one or none, and halve by number where no plane parts the centres",
+         "end at one or none, and halve by number where no plane splits the centres",
          missing_guards},
         {"V1c", "triangles with the same centre: the tree is as flat as by halving", "",
-         "halve by number where no plane parts the centres", equal_centers},
+         "halve by number where no plane splits the centres", equal_centers},
         {"V1e", "copies of one triangle: the same", "", "halve by number", equal_triangles},
         {"V2", "trees over no triangle, one, and one that is a point", "", "", none_and_one},
         {"V3", "triangles whose sizes double: the limit of depth holds", "",
          "halve by number below the limit", doubling_sizes},
         {"V3r", "a chain of 20,000 nodes: no builder recurses on the call stack", "",
          "a stack of one's own", chain_of_shells},
-        {"V4", "surface areas that are no floats", "", "areas in double precision",
+        {"V4", "surface areas that overflow a float", "", "areas in double precision",
          areas_beyond_floats},
         {"V5", "every node of a BVH is reached exactly once", "", "", reached_once},
     };

@@ -156,8 +156,9 @@ std::string to_csv(std::span<const TrialResult> results) {
     for (const TrialResult& result : results) {
         for (const TrialRow& row : result.rows) {
             text += result.trial.name + "," + csv_field(row.method) + "," + row.where + "," +
-                    csv_field(row.expected) + "," + csv_field(row.got) + "," + to_words(row.verdict) +
-                    "," + std::to_string(row.tried) + "," + std::to_string(row.wrong) + "\n";
+                    csv_field(row.expected) + "," + csv_field(row.got) + "," +
+                    to_words(row.verdict) + "," + std::to_string(row.tried) + "," +
+                    std::to_string(row.wrong) + "\n";
         }
     }
     return text;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hard_cases/hard_case.h"
 #include "gpu_methods.h"
+#include "hard_cases/hard_case.h"
 
 #include <functional>
 #include <span>
@@ -29,9 +29,9 @@ struct TrialRow {
 
 // What a trial may use.
 struct TrialTools {
-    int rays = 0; // of each case; 0: as many as the case has usually
+    int rays = 0; // of each case; 0: the usual number of the case
     int seed = 1;
-    GpuMethods* gpu = nullptr; // nobody where only C++ is tried
+    GpuMethods* gpu = nullptr; // null where only C++ is tried
     bool by_mirror = true;
     Progress progress = [](double) {};
 };
@@ -67,11 +67,11 @@ struct TrialResult {
 
 enum class Colors { none, terminal };
 
-// The lines of one trial for people, at most 100 columns wide: its name and title, then a line a
+// The lines of one trial for people, at most 100 columns wide: its name and title, then a line per
 // method: name, where, expected, got, verdict. Methods with the same answer share a line.
 std::string to_table(const TrialResult& result, Colors colors);
 
-// A CSV file: a line of names, then a line a trial and method.
+// A CSV file: a line of names, then a line per trial and method.
 std::string to_csv(std::span<const TrialResult> results);
 
 // How many rows have that verdict.

@@ -1,6 +1,7 @@
 #include "trials.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "hard_cases/hard_cases.h"
 
 #include <algorithm>
@@ -57,14 +58,14 @@ const std::vector<Trial>& all_trials() {
 }
 
 const Trial& find_trial(const std::string& name) {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const Trial& trial : all_trials()) {
         if (in_capitals(trial.name) == in_capitals(name)) {
             return trial;
         }
-        names += (names.empty() ? "" : ", ") + trial.name;
+        names.emplace_back(trial.name);
     }
-    throw InputError("--case " + name + ": there is no such hard case. Take one of " + names + ".");
+    throw InputError(no_such_choice("--case", name, "hard case", names));
 }
 
 std::vector<Trial> leak_trials() {

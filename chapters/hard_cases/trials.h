@@ -33,7 +33,7 @@ std::vector<Trial> glass_checks();    // E: glass
 std::vector<Trial> file_checks();     // F: the loader
 std::vector<Trial> platform_checks(); // L: what OpenGL does without saying so
 
-// a * b + c, in a file of its own, so that the compiler cannot know the numbers.
+// a * b + c, in a file of its own, so that the compiler cannot see the numbers.
 float multiply_add(float a, float b, float c);
 double multiply_add(double a, double b, double c);
 

@@ -1,7 +1,7 @@
 #include "hard_cases/hard_cases.h"
+#include "mirror/trace_by_mirror.h"
 #include "mirror/walks.h"
 #include "reference/exact.h"
-#include "mirror/trace_by_mirror.h"
 #include "trials.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Traced trace_case(const std::string& name, const std::string& triangle, const Tr
 }
 
 std::vector<TrialRow> no_contraction(const TrialTools&) {
-    // (1 + e)^2 = 1 + 2e + e^2, of which the type has no place for e^2: the product rounds to
+    // (1 + e)^2 = 1 + 2e + e^2, of which the type has no room for e^2: the product rounds to
     // 1 + 2e. A fused operation keeps it.
     const float e = 0x1p-12f;
     const double f = 0x1p-27;
@@ -73,7 +73,7 @@ std::vector<TrialRow> ranges(const TrialTools& tools) {
         promised_row("watertight", "C++", "u, v, u + v, t in range", outside, traced.hits.size())};
 }
 
-// How far t is from the exact one, in units of the last place: median, 99 of 100, and most.
+// How far t is from the exact one, in units in the last place: median, 99 of 100, and most.
 TrialRow error_of_t(const std::string& name, const std::string& triangle, const TrialTools& tools) {
     const Traced traced = trace_case(name, triangle, tools);
     std::vector<double> errors;

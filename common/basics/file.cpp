@@ -20,7 +20,7 @@ std::uintmax_t checked_size(const std::filesystem::path& path, std::uintmax_t mo
     if (status.type() == std::filesystem::file_type::not_found)
         throw InputError(name + ": there is no such file. Check its name and folder.");
     if (failure)
-        throw InputError(name + ": cannot be looked at (" + failure.message() +
+        throw InputError(name + ": cannot be accessed (" + failure.message() +
                          "). Check its name and its permissions.");
     if (std::filesystem::is_directory(status))
         throw InputError(name + ": is a folder, not a file. Name a file in it.");
@@ -28,7 +28,7 @@ std::uintmax_t checked_size(const std::filesystem::path& path, std::uintmax_t mo
         throw InputError(name + ": is a device or a pipe, not a regular file. Copy it to a file.");
     const std::uintmax_t size = std::filesystem::file_size(path, failure);
     if (failure)
-        throw InputError(name + ": its size cannot be told (" + failure.message() + ").");
+        throw InputError(name + ": its size cannot be read (" + failure.message() + ").");
     if (size > most_bytes)
         throw InputError(name + ": has " + std::to_string(size) + " bytes, but the limit is " +
                          std::to_string(most_bytes) + ". Split it into smaller files.");

@@ -13,7 +13,7 @@ namespace raysteps {
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
 // Writes the bytes to a new file in the same folder, and then gives it the name: a write that
-// fails leaves the old file as it was. Makes the folders that lack.
+// fails leaves the old file as it was. Makes missing folders.
 // Throws InputError with the path and the reason where it fails.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,9 +9,9 @@
 
 namespace raysteps {
 
-// The whole text as a number; nothing where it is none.
+// The number that the whole text spells; nothing where it spells none.
 template <class Number>
-std::optional<Number> parse_number(const std::string& text) {
+std::optional<Number> parse_number(std::string_view text) {
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size()) {
@@ -24,7 +23,7 @@ std::optional<Number> parse_number(const std::string& text) {
 // The words between the separators: of `a,,b` three, of nothing one.
 std::vector<std::string> split_words(const std::string& text, char separator);
 
-// Finite numbers between commas, as many as there are words; nothing where one is none.
+// Finite numbers between commas; nothing where one of the words is not a finite number.
 std::optional<std::vector<float>> parse_numbers(const std::string& text);
 
 struct PictureSize {
@@ -40,17 +39,26 @@ PictureSize parse_size(const std::string& text);
 // mean ...?". Nothing where a third of the letters or more would have to differ.
 std::string_view nearest_word(std::string_view text, const std::vector<std::string_view>& words);
 
+// " Did you mean sphereflake?" where a word is near enough, else nothing.
+std::string did_you_mean(std::string_view given, const std::vector<std::string_view>& words);
+
+// `--slab kay: there is no such part. Did you mean kay_kajiya? Take one of kay_kajiya, williams.`
+// The option, which may be empty, is what the choice was given for.
+std::string no_such_choice(std::string_view option, std::string_view given, std::string_view kind,
+                           const std::vector<std::string_view>& choices);
+
+// "one, two, three".
+std::string listed(const std::vector<std::string_view>& words);
+
+// A word from a file as it may stand in a sentence: in quotes, at most 40 characters, all
+// printable.
+std::string in_quotes(std::string_view word);
+
+// The shortest text that reads back to the same float.
+std::string shortest_text(float number);
+
 // Throws InputError that names the file and the line where a zero byte shows that this is no text.
 void check_is_text(std::string_view text, const std::filesystem::path& path);
-
-// What printf would print, however long it is.
-template <class... Values>
-std::string formatted(const char* pattern, Values... values) {
-    const int length = std::snprintf(nullptr, 0, pattern, values...);
-    std::string text(static_cast<std::size_t>(length), '\0');
-    std::snprintf(text.data(), text.size() + 1, pattern, values...);
-    return text;
-}
 
 // A text as a field of a CSV file: in quotes where it holds commas, quotes or ends of lines
 // (RFC 4180).

@@ -11,7 +11,7 @@ std::unique_ptr<Context> make_automatic_context() {
     try {
         return make_egl_context(EglDevices::hardware_only);
     } catch (const MachineError&) {
-        // No GPU without a display is the usual case, and no fault.
+        // Usually there is no such GPU, and that is not an error.
         return make_osmesa_context();
     }
 }

@@ -4,8 +4,8 @@
 
 namespace raysteps {
 
-// A framebuffer object, current from its making to its end. Targets are attached by whoever makes
-// it.
+// A framebuffer object, current from its making to its end. Its maker attaches
+// the targets.
 class Framebuffer {
 public:
     Framebuffer() {

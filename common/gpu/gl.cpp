@@ -23,8 +23,9 @@ void check_gl(const std::string& doing) {
     }
     char code[16];
     std::snprintf(code, sizeof code, "0x%04X", error);
-    throw MachineError("OpenGL reported the error " + std::string(code) + " while " + doing +
-                       ". Try --context osmesa; if it persists, it is a fault of Raysteps.");
+    throw MachineError(
+        "OpenGL reported the error " + std::string(code) + " while " + doing +
+        ". Try --context osmesa; if it persists, this is a bug in Raysteps; please report it.");
 }
 
 void clear_gl_errors() {

@@ -15,7 +15,7 @@ std::string shader_log(GLuint shader) {
     std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
     if (length > 0) {
         glGetShaderInfoLog(shader, length, &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
+        log.resize(length);
     }
     return log;
 }
@@ -26,7 +26,7 @@ std::string program_log(GLuint program) {
     std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
     if (length > 0) {
         glGetProgramInfoLog(program, length, &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
+        log.resize(length);
     }
     return log;
 }
@@ -43,7 +43,7 @@ GLuint compile(GLenum kind, const std::string& pass, const Parts& parts) {
         const std::string messages = name_files(shader_log(id), shader.files);
         glDeleteShader(id);
         throw MachineError("The shader " + pass +
-                           " does not compile. Mend the line that is named:\n" + messages);
+                           " does not compile. Fix the line that is named:\n" + messages);
     }
     return id;
 }
@@ -79,7 +79,7 @@ Program::Program(const std::string& fragment_pass, Parts parts) {
         const std::string messages = program_log(id_);
         glDeleteProgram(id_);
         throw MachineError("The shaders " + vertex_pass + " and " + fragment_pass +
-                           " do not link. Mend what is named:\n" + messages);
+                           " do not link. Fix what is named:\n" + messages);
     }
 }
 

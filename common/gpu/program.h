@@ -43,7 +43,7 @@ public:
     void use() const;
 
 private:
-    // The place of a texture among the bindings is its texture unit.
+    // The index of a texture among the bindings is its texture unit.
     struct Binding {
         GLint location;
         GLenum target;

@@ -1,6 +1,7 @@
 #include "gpu/shaders.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -200,19 +201,19 @@ std::vector<NamedPart> list_parts(const std::string& slot) {
 }
 
 std::string find_part(const std::string& slot, const std::string& name) {
-    std::string names;
-    for (const NamedPart& part : list_parts(slot)) {
+    const std::vector<NamedPart> parts = list_parts(slot);
+    std::vector<std::string_view> names;
+    for (const NamedPart& part : parts) {
         if (part.name == name) {
             return part.file;
         }
-        names += (names.empty() ? "" : ", ") + part.name;
+        names.emplace_back(part.name);
     }
     if (names.empty()) {
         throw MachineError(shader_folder().string() + ": holds no part for the slot <" + slot +
                            ">. Get the shaders back, or build again where the project is now.");
     }
-    throw InputError("--" + slot + " " + name + ": there is no such part. Take one of " + names +
-                     ".");
+    throw InputError(no_such_choice("--" + slot, name, "part", names));
 }
 
 std::string find_pass(const std::string& name) {

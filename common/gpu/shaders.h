@@ -35,11 +35,11 @@ std::filesystem::path shader_folder();
 ShaderText read_shader(const std::string& pass, const Parts& parts,
                        const std::filesystem::path& folder = shader_folder());
 
-// A compiler's messages with their numbers replaced by files and lines: `geometry/box.glsl:12:
+// A compiler's messages with their numbers replaced by files and lines: `core/ray.glsl:12:
 // ...`. Knows the notations of Mesa, NVIDIA, and of AMD, Apple and glslang.
 std::string name_files(const std::string& messages, const std::vector<std::string>& files);
 
-// A part that can fill a slot, by the name that a person calls it.
+// A part that can fill a slot, by its name on the command line.
 struct NamedPart {
     std::string name; // watertight
     std::string file; // triangle/watertight.glsl
@@ -55,8 +55,8 @@ struct ProgramRecipe {
 };
 
 // The shader folder is its own catalogue, so that a new part is a new file and nothing else. The
-// slot <triangle> takes each file triangle_NAME.glsl, and each file NAME.glsl of a folder
-// triangle/. Sorted by name.
+// slot <triangle> takes each file in the folder triangle/ that defines what the slot needs. Sorted
+// by name.
 std::vector<NamedPart> list_parts(const std::string& slot);
 
 // The file of the part with that name. Throws InputError that lists the names where there is none.

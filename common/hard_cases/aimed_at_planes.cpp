@@ -66,7 +66,7 @@ std::vector<RayFamily> lattice_families(RandomNumbers& numbers, const Lattice& l
 }
 
 const Box& any_box(RandomNumbers& numbers, const KdTree& tree) {
-    return tree.boxes[static_cast<std::size_t>(numbers.below(static_cast<int>(tree.boxes.size())))];
+    return tree.boxes[numbers.below(tree.boxes.size())];
 }
 
 glm::vec3 any_box_corner(RandomNumbers& numbers, const KdTree& tree) {
@@ -120,8 +120,7 @@ std::vector<Ray> rays_in_split_planes(RandomNumbers& numbers, const KdTree& tree
     }
     std::vector<Ray> rays;
     while (static_cast<int>(rays.size()) < count && !inner.empty()) {
-        const std::size_t node =
-            inner[static_cast<std::size_t>(numbers.below(static_cast<int>(inner.size())))];
+        const std::size_t node = inner[numbers.below(inner.size())];
         const int axis = tree.nodes[node].axis;
         glm::vec3 origin = point_in_box(numbers, tree.boxes[node]);
         origin[axis] = tree.nodes[node].split;

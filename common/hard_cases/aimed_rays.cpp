@@ -23,7 +23,7 @@ glm::vec3 point_around(RandomNumbers& numbers, std::span<const glm::vec3> corner
 }
 
 std::size_t any_corner(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
-    return static_cast<std::size_t>(numbers.below(static_cast<int>(corners.size())));
+    return numbers.below(corners.size());
 }
 
 glm::vec3 point_on_edge(RandomNumbers& numbers, std::span<const glm::vec3> corners) {
@@ -232,7 +232,7 @@ std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers, std::span<const 
     for (Ray& ray : rays) {
         ray.t_max = numbers.below(2) == 0 ? no_end : std::numeric_limits<float>::infinity();
         if (numbers.below(2) == 0) {
-            ray.direction *= lengths[static_cast<std::size_t>(numbers.below(4))];
+            ray.direction *= lengths[numbers.below(4)];
         } else {
             const int axis = numbers.below(3);
             const float along = ray.direction[axis] < 0.0f ? -2e-38f : 2e-38f;

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Families of rays that find the faults of structures and triangle tests; random rays are nearly
-// blind to them. Each function takes the corners of at least one triangle, three a triangle.
+// blind to them. Each function takes the corners of at least one triangle, three per triangle.
 // Origins lie in the box of the corners and half of its largest side around it, so within
 // usual_reach, unless said otherwise. Directions are not normalised.
 
@@ -85,7 +85,7 @@ std::vector<Ray> segments(RandomNumbers& numbers, std::span<const glm::vec3> cor
 std::vector<Ray> rays_of_extreme_length(RandomNumbers& numbers, std::span<const glm::vec3> corners,
                                         int count);
 
-// At edges, from origins so many times as far away from the world's origin as around the triangles:
+// At edges, from origins that many times farther away from the world's origin:
 // beyond usual_reach.
 std::vector<Ray> rays_from_far_away(RandomNumbers& numbers, std::span<const glm::vec3> corners,
                                     float distance, int count);
@@ -93,14 +93,14 @@ std::vector<Ray> rays_from_far_away(RandomNumbers& numbers, std::span<const glm:
 // The same rays, with every t multiplied by the factor.
 std::vector<Ray> with_large_t(std::vector<Ray> rays, float factor);
 
-// Every ray from its end back to its start, as the crow flies: from t = 3 to before t = 0.
+// Every ray from its end back to its start, in a straight line: from t = 3 to before t = 0.
 std::vector<Ray> reversed(std::span<const Ray> rays);
 
 // What no ray should be: NaN, infinite, without a direction, with a direction too small to divide
 // by. A structure must answer all the same, and may not hang or read outside.
 std::vector<Ray> nonsense_rays();
 
-// All families of sensible rays that know nothing of a structure.
+// All families of sensible rays that do not depend on a structure.
 std::vector<RayFamily> ray_families(RandomNumbers& numbers, std::span<const glm::vec3> corners,
                                     int count);
 
@@ -118,7 +118,7 @@ std::vector<Ray> corner_aimed_rays(RandomNumbers& numbers, const Mesh& mesh, con
 // In any direction: to compare with.
 std::vector<Ray> random_rays_from_inside(RandomNumbers& numbers, const glm::vec3& half, int count);
 
-// Families for triangle tests, so many rays each, each family from the seed anew. Origins lie in
+// Families for triangle tests, `count` rays each, each family from the same seed. Origins lie in
 // the box of the mesh, so mostly inside of a closed one, unless said otherwise.
 //   random    in any direction
 //   inside    at points of triangles
@@ -181,7 +181,7 @@ std::vector<Ray> rays_along_box_edges(RandomNumbers& numbers, const KdTree& tree
 std::vector<RayFamily> tree_families(RandomNumbers& numbers, const KdTree& tree,
                                      std::span<const glm::vec3> corners, int count);
 
-// A ray and a box of which the answer is known.
+// A ray and a box whose answer is known.
 struct AimedBox {
     Ray ray;
     Box box;

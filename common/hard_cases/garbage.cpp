@@ -1,7 +1,7 @@
 #include "hard_cases/hard_cases.h"
 
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 
 #include <algorithm>
 #include <array>
@@ -29,8 +29,7 @@ constexpr int binary_digits_between_sizes = 12;
 float coordinate(RandomNumbers& numbers, const std::vector<float>& before, float size) {
     const int kind = numbers.below(8);
     if (kind < 3 && !before.empty()) {
-        const float known =
-            before[static_cast<std::size_t>(numbers.below(static_cast<int>(before.size())))];
+        const float known = before[numbers.below(before.size())];
         const bool has_neighbours = kind == 2 && known != 0.0f;
         return kind == 1        ? -known
                : has_neighbours ? known * (one_in(numbers, 2) ? 1.0f + 0x1p-23f : 1.0f - 0x1p-24f)
@@ -118,7 +117,7 @@ FamilyValues any_values(RandomNumbers& numbers) {
                     {"split", one_in(numbers, 3) ? "median" : "area"},
                     {"bad-splits", number(0, 5)}};
     values["bvh"] = {{"leaf-triangles", number(1, 8)},
-                     {"split", splits[static_cast<std::size_t>(numbers.below(4))]},
+                     {"split", splits[numbers.below(4)]},
                      {"bins", number(2, 8)}};
     return values;
 }

@@ -1,6 +1,6 @@
-#include "hard_cases/meshes.h"
-#include "hard_cases/case_lists.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/case_lists.h"
+#include "hard_cases/meshes.h"
 #include "structure/grid/build_grid.h"
 
 #include <algorithm>
@@ -160,7 +160,7 @@ std::vector<HardCase> grid_cases() {
              origins_around_the_grid),
         make("G6", "zero components in the direction", "", "", 1000000, zero_components),
         make("G7", "a flat scene: no extent along one axis", "", "", 1000000, flat_scene),
-        HardCase{"G8", "rays that are no rays: not a number, infinite, without a direction", "",
+        HardCase{"G8", "rays that are no rays: NaN, infinite, without a direction", "",
                  Truth::answered, Guarantee::promised, Tries::structures, "", 1000, no_rays_at_all},
         make("G9", "a teapot in a stadium: nearly all triangles in one cell", "",
              "a tree: kd or BVH", 20000, teapot),

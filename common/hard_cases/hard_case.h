@@ -21,7 +21,7 @@ struct HardScene {
     FamilyValues build_values{};
 };
 
-// How many rays a case is to have about, and what its random numbers start from.
+// About how many rays a case should have, and the seed of its random numbers.
 struct HardRequest {
     int rays = 1000;
     int seed = 1;

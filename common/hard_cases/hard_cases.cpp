@@ -1,6 +1,7 @@
 #include "hard_cases/hard_cases.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "hard_cases/case_lists.h"
 #include "scene/frame_scene.h"
 
@@ -36,15 +37,14 @@ const std::vector<HardCase>& hard_cases() {
 }
 
 const HardCase& find_hard_case(const std::string& name) {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const HardCase& hard_case : hard_cases()) {
         if (is_same_name(hard_case.name, name)) {
             return hard_case;
         }
-        names += (names.empty() ? "" : ", ") + hard_case.name;
+        names.emplace_back(hard_case.name);
     }
-    throw InputError("there is no hard case " + name + " with a mesh and rays. Take one of " +
-                     names + ".");
+    throw InputError(no_such_choice("", name, "hard case with a mesh and rays", names));
 }
 
 Scene scene_of(const HardCase& hard_case, const HardScene& made, float aspect_ratio) {

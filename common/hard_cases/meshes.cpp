@@ -47,8 +47,7 @@ SeenSurface any_parallelogram(RandomNumbers& numbers) {
 
 SeenSurface any_point_of_a_ball(RandomNumbers& numbers) {
     static const Mesh ball = sphere(glm::vec3(0.0f), 1.0f, 2);
-    const std::size_t a =
-        3 * static_cast<std::size_t>(numbers.below(static_cast<int>(ball.corners.size() / 3)));
+    const std::size_t a = 3 * numbers.below(ball.corners.size() / 3);
     const float u = numbers.unit();
     const float v = (1.0f - u) * numbers.unit();
     const glm::vec3 point = ball.corners[a] + u * (ball.corners[a + 1] - ball.corners[a]) +
@@ -65,8 +64,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// On the sphere of radius 1. Rows run from pole to pole; the last place of a row is its first.
-glm::vec3 place_on_sphere(int row, int rows, int column, int around) {
+// On the sphere of radius 1. Rows run from pole to pole; the last point of a row is its first.
+glm::vec3 point_on_sphere(int row, int rows, int column, int around) {
     const double down = pi * row / rows;
     const double round = 2.0 * pi * (column % around) / around;
     const double sine = row == 0 || row == rows ? 0.0 : std::sin(down);
@@ -85,10 +84,10 @@ Mesh latitude_sphere(float radius, int rows, int around) {
     };
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < around; ++column) {
-            const glm::vec3 a = place_on_sphere(row, rows, column, around);
-            const glm::vec3 b = place_on_sphere(row, rows, column + 1, around);
-            const glm::vec3 c = place_on_sphere(row + 1, rows, column + 1, around);
-            const glm::vec3 d = place_on_sphere(row + 1, rows, column, around);
+            const glm::vec3 a = point_on_sphere(row, rows, column, around);
+            const glm::vec3 b = point_on_sphere(row, rows, column + 1, around);
+            const glm::vec3 c = point_on_sphere(row + 1, rows, column + 1, around);
+            const glm::vec3 d = point_on_sphere(row + 1, rows, column, around);
             if (row > 0) {
                 add(a, b, c);
             }
@@ -267,8 +266,7 @@ Mesh reordered(const Mesh& mesh, TriangleOrder order, int seed) {
     if (order == TriangleOrder::shuffled) {
         RandomNumbers numbers(seed);
         for (std::size_t i = places.size(); i > 1; --i) {
-            std::swap(places[i - 1],
-                      places[static_cast<std::size_t>(numbers.below(static_cast<int>(i)))]);
+            std::swap(places[i - 1], places[numbers.below(i)]);
         }
     }
     Mesh result;

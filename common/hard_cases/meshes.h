@@ -44,7 +44,7 @@ Mesh latitude_sphere(float radius, int rows, int around);
 // The sphere with 1,520 triangles and the radius 2.
 Mesh shared_edge_sphere();
 
-// A sphere of radius 1, drawn out along x: slivers as many times longer than wide.
+// A sphere of radius 1, stretched along x: slivers that many times longer than wide.
 Mesh sliver_ball(float times);
 
 // A lens of radius 1, and so high in its middle: from inside, rays to its rim graze its faces.
@@ -53,8 +53,8 @@ Mesh flat_lens(float height);
 // The mesh, each corner multiplied and then moved, with rounding.
 Mesh scaled_and_moved(Mesh mesh, float scale, const glm::vec3& offset);
 
-// A mesh of these corners, three a triangle; its normals are those of the triangles, and (0, 0, 1)
-// where a triangle has none.
+// A mesh of these corners, three per triangle; its normals are those of the triangles, and (0, 0,
+// 1) where a triangle has none.
 Mesh mesh_of(std::vector<glm::vec3> corners);
 
 // Triangles without order in and around the cube from -1 to 1.
@@ -79,16 +79,16 @@ struct LongAndSmall {
 };
 LongAndSmall long_triangle_before_a_small_one_among_clutter(RandomNumbers& numbers);
 
-// Five walls of squares upright on each axis, at whole coordinates from 0 to 4: every good plane of
-// a kd-tree is one of theirs.
+// Five walls of squares perpendicular to each axis, at whole coordinates from 0 to 4: every good
+// plane of a kd-tree is one of theirs.
 Mesh walls_at_whole_coordinates();
 
 // Loose triangles, and behind them a wall at x = 0, 80 wide and high, of two triangles that share
 // the edge y = z.
 Mesh wall_behind_loose_triangles(RandomNumbers& numbers);
 
-// A box from -1 to 1, and triangles upright on each axis in the planes of its own grid of that many
-// cells along each axis, with corners where three planes meet.
+// A box from -1 to 1, and triangles perpendicular to each axis in the planes of its own grid of
+// that many cells along each axis, with corners where three planes meet.
 Mesh triangles_in_planes_of_cells(RandomNumbers& numbers, int cells);
 
 // A ball of 980 triangles among twenty triangles a thousand times as large: a teapot in a stadium.
@@ -96,7 +96,7 @@ Mesh teapot_in_a_stadium(RandomNumbers& numbers);
 
 // Triangles in the same place: which one is hit must not depend on the order of a walk.
 
-// So many copies of one triangle.
+// `count` copies of one triangle.
 Mesh copies_of_a_triangle(int count);
 
 // Each triangle once more at the end, and once more with its corners the other way round.
@@ -111,7 +111,7 @@ inline constexpr std::array all_orders{TriangleOrder::forward, TriangleOrder::ba
 Mesh reordered(const Mesh& mesh, TriangleOrder order, int seed = 99);
 
 // Corners of triangles that tempt the builder of a tree into depth, into endless splits, or out of
-// the numbers. Three corners a triangle.
+// the numbers. Three corners per triangle.
 
 // The triangle with a box of the sides 2 a around the center, but for rounding.
 std::vector<glm::vec3> triangle_around(const glm::vec3& center, const glm::vec3& a);
@@ -127,7 +127,7 @@ std::vector<glm::vec3> triangles_at_powers_of_two();
 // becomes a chain.
 std::vector<glm::vec3> shells(int count);
 
-// Two heaps of triangles, 1.6e30 apart: their surface areas are no floats.
+// Two heaps of triangles, 1.6e30 apart: their surface areas overflow a float.
 std::vector<glm::vec3> heaps_at_the_end_of_floats(int seed);
 
 // A box with another one in its corner: half of the planes of one are planes of the other.

@@ -1,6 +1,6 @@
+#include "hard_cases/aimed_rays.h"
 #include "hard_cases/case_lists.h"
 #include "hard_cases/meshes.h"
-#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 
 #include <cmath>
@@ -89,7 +89,7 @@ std::vector<HardCase> paper_cases() {
          paper, Truth::exact, Guarantee::promised, aimed, "q in place of the second a", 100000,
          two_depths},
         {"P5", "a ray parallel to a triangle: det is 0, and u, v and t are divided by it", paper,
-         Truth::all_miss, Guarantee::promised, aimed, "ask for det != 0 before all else", 100000,
+         Truth::all_miss, Guarantee::promised, aimed, "test det != 0 before all else", 100000,
          parallel_rays},
         {"P6", "from inside a closed mesh every ray sees a back face", paper, Truth::all_hit,
          Guarantee::promised, aimed, "no culling, or only for rays from the camera", 1000000,
@@ -103,9 +103,9 @@ std::vector<HardCase> paper_cases() {
         {"P9", "an edge of two triangles, each of which computes u + v <= 1 by itself", paper,
          Truth::all_hit, Guarantee::promised, aimed, "--triangle watertight", 1000000,
          edges_of_a_ball},
-        {"P10", "three triangles in each place: which one is the nearest", paper, Truth::the_loop,
-         Guarantee::promised, Tries::structures, "the smallest t, and of equal ones the first",
-         1000000, three_in_one_place},
+        {"P10", "three triangles in the same place: which one is the nearest", paper,
+         Truth::the_loop, Guarantee::promised, Tries::structures,
+         "the smallest t, and of equal ones the first", 1000000, three_in_one_place},
     };
 }
 

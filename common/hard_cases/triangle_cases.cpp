@@ -1,6 +1,6 @@
+#include "hard_cases/aimed_rays.h"
 #include "hard_cases/case_lists.h"
 #include "hard_cases/meshes.h"
-#include "hard_cases/aimed_rays.h"
 #include "scene/shapes.h"
 
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 const glm::vec3 around_zero(0.9f);
 
-// What is asked at edges, and then at corners.
+// Rays at edges, and then at corners.
 HardScene leaks_of(const Mesh& mesh, const glm::vec3& half, const HardRequest& request) {
     RandomNumbers numbers(request.seed);
     const int half_of_them = request.rays / 2;
@@ -182,10 +182,10 @@ std::vector<HardCase> triangle_cases() {
         {"T1", "rays from inside a closed mesh at points of shared edges", woop, Truth::all_hit,
          Guarantee::promised, aimed, take_watertight, 10000000, shared_edges},
         {"T2", "rays from inside a closed mesh at shared corners", woop, Truth::all_hit,
-         Guarantee::promised, aimed, take_watertight + "; double precision is no cure", 10000000,
-         shared_corners},
-        {"T4", "a ray at the diagonal that parts a square", "", Truth::all_hit, Guarantee::promised,
-         aimed, take_watertight, 1, diagonal_of_a_quad},
+         Guarantee::promised, aimed, take_watertight + "; double precision does not cure it",
+         10000000, shared_corners},
+        {"T4", "a ray at the diagonal that splits a square", "", Truth::all_hit,
+         Guarantee::promised, aimed, take_watertight, 1, diagonal_of_a_quad},
         {"T5", "triangles with edges from 1 down to 1e-18", "", Truth::all_hit, Guarantee::promised,
          aimed, "scale the model: below 1e-19 products underflow", 19, tiny_triangles},
         {"T6", "a closed mesh of slivers, 100,000 times longer than wide", "", Truth::all_hit,

@@ -60,7 +60,7 @@ Image draw_line(const std::string& line) {
 
     Image image = blank(text_width(line), text_line_height, paper_color);
     for (int i = 0; i < count; i++) {
-        const Rectangle& rectangle = rectangles[static_cast<std::size_t>(i)];
+        const Rectangle& rectangle = rectangles[i];
         const int left = text_scale * static_cast<int>(rectangle[0].x);
         const int top = text_scale * static_cast<int>(rectangle[0].y);
         const int right = text_scale * static_cast<int>(rectangle[2].x);

@@ -212,7 +212,7 @@ std::string legend_note(std::span<const float> values, const HeatMapRange& range
     };
     add(under, " under the range");
     add(over, " over the range");
-    add(nan, " not a number (magenta)");
+    add(nan, " NaN (magenta)");
     return note;
 }
 

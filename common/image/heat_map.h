@@ -35,7 +35,7 @@ float fraction_of_range(float value, const HeatMapRange& range);
 // The value at the middle of the colors: the mean of the ends, or their geometric mean.
 double middle_of_range(const HeatMapRange& range);
 
-// The values, row by row from the top one, as colors (color_map.h) over a legend: a bar of the
+// The values, row by row from the top one, as colors (color_map) over a legend: a bar of the
 // colors, the values at its ends and middle, the title (name the unit in it), and how many values
 // lie outside the range or are NaN. A picture narrower than its legend stands centered over it.
 // Throws InputError where there are not width * height values, or the range is not one.

@@ -40,7 +40,7 @@ void check_size(const std::string& name, int width, int height);
 // Also throws where the picture does not have width * height pixels.
 void check_image(const std::string& name, const Image& image);
 
-// Red, green or blue is not a number: a picture that is right has no such pixel.
+// Red, green or blue is NaN: a correct picture has no such pixel.
 bool has_nan(const glm::vec3& pixel);
 
 std::size_t count_nan_pixels(const Image& image);

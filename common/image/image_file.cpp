@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "basics/file.h"
+#include "basics/text.h"
 #include "image/color.h"
 #include "image/image.h"
 
@@ -9,7 +10,6 @@
 #include <stb_image_write.h>
 
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -34,23 +34,12 @@ std::string_view read_line(const std::string& name, std::string_view bytes, int 
     return bytes.substr(0, end);
 }
 
-template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
-    Number number{};
-    const char* end = text.data() + text.size();
-    const std::from_chars_result result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc() || result.ptr != end) {
-        return std::nullopt;
-    }
-    return number;
-}
-
 struct Size {
     int width = 0;
     int height = 0;
 };
 
-std::optional<Size> parse_size(std::string_view line) {
+std::optional<Size> parse_pfm_size(std::string_view line) {
     const std::size_t space = line.find(' ');
     if (space == std::string_view::npos) {
         return std::nullopt;
@@ -75,7 +64,7 @@ PfmHeader parse_pfm_header(const std::string& name, std::string_view bytes) {
     header.length = kind.size() + 1;
 
     const std::string_view size_line = read_line(name, bytes.substr(header.length), 2);
-    const std::optional<Size> size = parse_size(size_line);
+    const std::optional<Size> size = parse_pfm_size(size_line);
     if (!size) {
         throw InputError(name + ":2: this line must be the width and the height, two whole numbers "
                                 "and a space between them. Save it again as color PFM.");
@@ -212,8 +201,8 @@ Image read_pfm(const std::filesystem::path& path) {
 
 namespace {
 
-// A file stores at most 8 bytes a pixel (a PNG of 16 bits), and may carry profiles and texts. More
-// than that is refused, because what it unpacks to is bounded by nothing else.
+// A file stores at most 8 bytes per pixel (a PNG of 16 bits), and may carry profiles and texts.
+// More than that is refused, because what it unpacks to is bounded by nothing else.
 constexpr std::uintmax_t most_bytes_beside_pixels = 1 << 20;
 constexpr std::uintmax_t most_bytes_a_pixel = 8;
 
@@ -222,7 +211,7 @@ struct Free {
 };
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError(path.string() + ": is no picture that can be read, PNG, JPEG or BMP (" +
+    throw InputError(path.string() + ": is not a PNG, JPEG or BMP picture that can be read (" +
                      stbi_failure_reason() + "). Save it again as PNG.");
 }
 

@@ -19,7 +19,7 @@ struct PfmHeader {
 };
 
 // Throws InputError, beginning with the file's name, where the lines are not those of a color PFM
-// file with a size that check_image.h allows and a scale of 1 or -1.
+// file with a size that check_image allows and a scale of 1 or -1.
 PfmHeader parse_pfm_header(const std::string& name, std::string_view bytes);
 
 // Writes the picture as 8-bit sRGB. Components are clamped to [0, 1] and rounded to the nearest
@@ -39,8 +39,8 @@ void write_pfm(const std::filesystem::path& path, const Image& image);
 Image read_pfm(const std::filesystem::path& path);
 
 // The colors of a PNG, JPEG or BMP file as linear RGB; opacity is left out, and 16-bit files become
-// 8-bit ones. What it is, its content says, not its name. Throws InputError where the file is none
-// of these, is damaged, or is larger than check_image.h allows.
+// 8-bit ones. Its content decides what it is, not its name. Throws InputError where the file is
+// none of these, is damaged, or is larger than check_image allows.
 Image read_picture(const std::filesystem::path& path);
 
 } // namespace raysteps

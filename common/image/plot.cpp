@@ -21,8 +21,9 @@ std::string gnuplot_text(const std::string& text) {
 
 void run_gnuplot(const std::filesystem::path& png, const std::string& script_text) {
     if (png.string().find_first_of("'\n") != std::string::npos) {
-        throw InputError(png.string() + ": a plot's path cannot hold the mark ' or a line's end. "
-                                        "Choose another --out.");
+        throw InputError(png.string() +
+                         ": the path of a plot cannot hold a quote ' or a line break. "
+                         "Choose another --out.");
     }
     std::filesystem::path script = png;
     script.replace_extension(".gp");

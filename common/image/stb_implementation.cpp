@@ -1,4 +1,4 @@
-// The one file that compiles stb's code for pictures; write_png.cpp and read_picture.cpp call it.
+// The one file that compiles stb's code for pictures; image_file.cpp calls it.
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP

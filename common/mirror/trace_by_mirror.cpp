@@ -7,7 +7,7 @@ namespace raysteps {
 
 namespace {
 
-constexpr std::size_t rays_a_part = 1024;
+constexpr std::size_t rays_per_part = 1024;
 constexpr int most_rounds = 1 << 26; // more than any walk here needs
 
 template <class Mirror>
@@ -27,7 +27,7 @@ std::vector<Hit> trace(const mirror::SceneBuffers& scene, const PackedStructure&
                        std::span<const Ray> rays) {
     const auto shared = mirror::mirror_of<Mirror>(scene, structure);
     std::vector<Hit> hits(rays.size());
-    in_parts(all_cores, rays.size(), rays_a_part, [&](std::size_t begin, std::size_t end) {
+    in_parts(all_cores, rays.size(), rays_per_part, [&](std::size_t begin, std::size_t end) {
         Mirror own = shared;
         for (std::size_t i = begin; i < end; ++i) {
             hits[i] = hit_of(own, rays[i]);

@@ -27,7 +27,7 @@ const std::map<std::string, TraceByMirror>& mirror_walks();
 // there in double precision as well: they end in `_double`.
 const std::map<std::string, TraceByMirror>& mirror_triangle_tests();
 
-// Whether the box tests of the walks through a BVH visit the box, which nobody has padded: as C++,
+// Whether the box tests of the walks through a BVH visit the box, which is not padded: as C++,
 // by the shader parts structure/bvh/box_ray.glsl and box_padded.glsl.
 bool meets_plain_box(const Ray& ray, const Box& box);
 bool meets_padded_box(const Ray& ray, const Box& box);

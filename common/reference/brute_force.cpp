@@ -71,7 +71,7 @@ std::optional<TrianglePoint> meet(const ReferenceRay& ray, const RayAxes& axes, 
     const double area = weight_a + weight_b + weight_c;
     const double t = (weight_a * seen_a.depth + weight_b * seen_b.depth + weight_c * seen_c.depth) /
                      (area * ray.direction[axes.along]);
-    if (!(t >= ray.t_min && t <= ray.t_max)) { // also where t is not a number
+    if (!(t >= ray.t_min && t <= ray.t_max)) { // also where t is NaN
         return std::nullopt;
     }
     // Rounding can lend an area to collinear corners. This sees that they have none wherever

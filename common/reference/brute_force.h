@@ -28,13 +28,13 @@ struct RayAxes {
 
 RayAxes axes_of(const ReferenceRay& ray);
 
-// Where the ray meets the closed triangle, with t in [t_min, t_max]; nothing of a triangle of zero
+// Where the ray meets the closed triangle, with t in [t_min, t_max]; nothing for a triangle of zero
 // area or one seen edge-on. No ray slips between triangles that share an edge or a corner.
 std::optional<TrianglePoint> meet(const ReferenceRay& ray, const RayAxes& axes, const glm::dvec3& a,
                                   const glm::dvec3& b, const glm::dvec3& c);
 
-// The nearest triangle, found by asking every triangle in double with a watertight test; of equal t
-// the smallest index wins. Triangle i has the corners 3i, 3i + 1 and 3i + 2. Closed as
+// The nearest triangle, found by testing every triangle in double with a watertight test; of equal
+// t the smallest index wins. Triangle i has the corners 3i, 3i + 1 and 3i + 2. Closed as
 // exact_intersection is: edges, corners, t_min and t_max belong. A ray that is not finite misses.
 ReferenceHit nearest_hit(const ReferenceRay& ray, std::span<const glm::vec3> corners);
 ReferenceHit nearest_hit(const Ray& ray, std::span<const glm::vec3> corners);

@@ -29,7 +29,8 @@ bool is_less(const Fraction& a, const Fraction& b);
 // The nearest double. For fractions between 2^-1000 and 2^1000 (or 0).
 double nearest_double(const Fraction& fraction);
 
-// Where the line of a ray meets the plane of a triangle. Only of a unique point is `unique` true.
+// Where the line of a ray meets the plane of a triangle. `unique` says whether there is exactly one
+// such point.
 struct ExactSolution {
     bool unique = false;
     Fraction t;
@@ -48,7 +49,7 @@ ExactSolution solve_exactly(const Ray& ray, const std::array<glm::vec3, 3>& corn
 bool is_hit(const ExactSolution& solution, const Ray& ray);
 
 // What exact arithmetic says of one ray and one triangle. The numbers are the doubles nearest to
-// the exact ones, given also of a miss if the ray's line meets the triangle's plane in one point,
+// the exact ones, given for a miss too if the ray's line meets the triangle's plane in one point,
 // and else 0: at origin + t * direction, which is (1 - u - v) * a + u * b + v * c. The margin says
 // how far the triangle's edges are from flipping the decision: it is |min(u, v, 1 - u - v)|, the
 // share of a height of the triangle by which the point lies inside its nearest edge, or outside its
@@ -67,7 +68,7 @@ struct ExactIntersection {
 ExactIntersection exact_intersection(const Ray& ray, const std::array<glm::vec3, 3>& corners);
 
 // Decides without rounding whether the ray meets the closed box at t_min or later, its sides and
-// corners included; t_max is not asked. All numbers are finite, and the box is not empty.
+// corners included; t_max is ignored. All numbers are finite, and the box is not empty.
 bool exact_meets_box(const Ray& ray, const Box& box);
 
 // Whether double arithmetic alone proves that the ray's line passes outside the triangle. If so,
@@ -75,7 +76,7 @@ bool exact_meets_box(const Ray& ray, const Box& box);
 bool surely_misses(const Ray& ray, const std::array<glm::vec3, 3>& corners);
 
 // Where a ray first meets triangles: at origin + t * direction, which is
-// (1 - u - v) * a + u * b + v * c. Of a miss, t is the ray's t_max and the triangle no_triangle.
+// (1 - u - v) * a + u * b + v * c. For a miss, t is the ray's t_max and the triangle no_triangle.
 struct ReferenceHit {
     double t = 0.0;
     double u = 0.0;

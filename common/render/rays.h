@@ -9,7 +9,7 @@
 
 namespace raysteps {
 
-// One ray a texel: origins hold the origin and t_min, directions the direction and t_max.
+// One ray per texel: origins hold the origin and t_min, directions the direction and t_max.
 struct RayTextures {
     Texture origins;
     Texture directions;
@@ -31,7 +31,7 @@ std::vector<Hit> read_hits(const Texture& hits);
 // How a pixel gets the direction of its ray.
 enum class RayGeneration {
     interpolated, // between the four corner rays, by the rasterizer, as in the paper
-    direct,       // computed from the place of the pixel
+    direct,       // computed from the position of the pixel
 };
 
 // One ray through the centre of each pixel, the bottom row first.

@@ -29,10 +29,10 @@ void bind(Program& program, const StructureTextures& structure);
 // light/materials.glsl say what lies where.
 struct SceneTextures {
     int triangle_count = 0;
-    BufferTexture corners;            // three texels a triangle
-    BufferTexture normals;            // three texels a triangle
-    BufferTexture triangle_materials; // one integer a triangle
-    BufferTexture materials;          // three texels a material
+    BufferTexture corners;            // three texels per triangle
+    BufferTexture normals;            // three texels per triangle
+    BufferTexture triangle_materials; // one integer per triangle
+    BufferTexture materials;          // three texels per material
     StructureTextures structure;
 };
 

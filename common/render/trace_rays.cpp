@@ -18,7 +18,7 @@ constexpr int usual_rounds_per_launch = 2048;
 // rays), and each makes its rounds while the others wait.
 constexpr int rays_side_by_side = 16;
 
-// So many launches in which no ray comes to its end mean that a walk stands still. (A cell or leaf
+// This many launches in which no ray comes to its end mean that a walk is stuck. (A cell or leaf
 // would have to list eight million triangles to need as many.)
 constexpr int most_launches_in_vain = 1 << 12;
 
@@ -65,7 +65,8 @@ TraceRays::TraceRays(Parts parts, const Limits& limits)
 
 TraceRays::TraceRays(Parts parts, int rounds_per_launch)
     : trace_("pass/trace/trace.frag", with_defaults(parts)),
-      select_unfinished_("pass/select/select_unfinished.frag"), rounds_per_launch_(rounds_per_launch),
+      select_unfinished_("pass/select/select_unfinished.frag"),
+      rounds_per_launch_(rounds_per_launch),
       observed_(parts.contains("observer") && parts.at("observer") != nobody) {}
 
 Texture TraceRays::closest_hits(const RayTextures& rays, const SceneTextures& scene,

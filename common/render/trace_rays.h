@@ -15,16 +15,17 @@ namespace raysteps {
 using Progress = std::function<void(double part_done)>;
 
 // The traversal and intersection kernel, launched as often as the longest walk needs: a launch
-// makes as many rounds as the platform's loops can bear, and keeps hit and place of each walk in
-// textures, where the next one takes them up. Two sets of textures change places. Source: Wang and
-// Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010.
+// makes as many rounds as the platform's loops can bear, and keeps the hit and the position of each
+// walk in textures, where the next one takes them up. Two sets of textures take turns. Source: Wang
+// and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010.
 class TraceRays {
 public:
-    // The parts fill the slots <triangle>, <structure> and <observer> of pass/trace/trace.frag; an
-    // observer that nobody names is nobody, and a structure that nobody names is every_triangle.
+    // The parts fill the slots <triangle>, <structure> and <observer> of pass/trace/trace.frag;
+    // where no observer is given nobody observes, and where no structure is given, it is
+    // every_triangle.
     TraceRays(Parts parts, const Limits& limits);
 
-    // For tests: launches of so many rounds, however many the loops can bear.
+    // For tests: launches of that many rounds, whatever the limits say.
     TraceRays(Parts parts, int rounds_per_launch);
 
     // A texture of hits as core/texels.glsl has them. Where a mask is given, only its live
@@ -34,7 +35,7 @@ public:
     Texture any_hits(const RayTextures& rays, const SceneTextures& scene,
                      const LiveMask* live = nullptr);
 
-    // What the observer saw of the last trace: one texel a ray, as the file of the observer says.
+    // What the observer saw of the last trace: one texel per ray, as the file of the observer says.
     // Nothing where nobody observes.
     const std::optional<Texture>& observations() const { return observations_; }
 

@@ -11,7 +11,7 @@ namespace raysteps {
 // How many rays of each kind a picture took.
 struct RayCounts {
     long camera = 0;
-    long shadow = 0; // hits that asked for a light, once a light
+    long shadow = 0; // hits that a light may reach, once per light
     long mirror = 0;
 };
 

@@ -136,8 +136,8 @@ Corners corners_of(const Scene& scene, int triangle) {
 }
 
 bool glows(const Scene& scene, int triangle) {
-    const int material = scene.triangle_materials[static_cast<std::size_t>(triangle)];
-    return scene.materials[static_cast<std::size_t>(material)].emission != glm::vec3(0.0f);
+    const int material = scene.triangle_materials[triangle];
+    return scene.materials[material].emission != glm::vec3(0.0f);
 }
 
 // Where in the first triangle the corner is that the second one does not have; none where they do
@@ -201,8 +201,8 @@ std::vector<Light> glowing_lights(Scene& scene) {
             ++unused;
             continue;
         }
-        const int material = scene.triangle_materials[static_cast<std::size_t>(i)];
-        const glm::vec3 emission = scene.materials[static_cast<std::size_t>(material)].emission;
+        const int material = scene.triangle_materials[i];
+        const glm::vec3 emission = scene.materials[material].emission;
         light->color = emission / std::max(1.0f, greatest_of(emission));
         lights.push_back(*light);
         ++i; // the other half

@@ -8,11 +8,11 @@
 namespace raysteps {
 
 // A camera that sees the whole box, from above right, at the aspect ratio width / height, which is
-// over 0. Of an empty box, the default camera.
+// over 0. For an empty box, the default camera.
 Camera frame_box(const Box& box, float aspect_ratio);
 
 // The same for all that the scene has. Throws InputError where the eye would be so far out, beyond
-// greatest_coordinate, that squares of distances are no floats.
+// greatest_coordinate, that squares of distances overflow a float.
 Camera frame_camera(const Scene& scene, float aspect_ratio);
 
 // A bright light above left of the camera and a dim one on its right. Light in this project does
@@ -40,7 +40,7 @@ inline constexpr glm::vec3 calm_background{0.10f, 0.13f, 0.19f};
 // that a square picture shows.
 Camera keep_square_in_view(const Camera& camera, float aspect_ratio);
 
-// At most so many: every light costs a shadow ray at every point.
+// The limit: every light costs a shadow ray at every point.
 inline constexpr std::size_t most_glowing_lights = 16;
 
 // The lights that the model itself has: two triangles in a row whose material glows (Ke), and which

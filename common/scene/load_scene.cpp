@@ -55,7 +55,7 @@ Scene load_scene(const std::string& name, float aspect_ratio) {
     if (fs::exists(path, error)) {
         throw InputError(
             name +
-            (fs::is_directory(path, error) ? ": this is a folder" : ": this is no scene file") +
+            (fs::is_directory(path, error) ? ": this is a folder" : ": this is not a scene file") +
             ". Give a file that ends in .obj or .toml.");
     }
     return make_sample_scene(name, aspect_ratio); // which says that there is no such scene

@@ -17,7 +17,7 @@ Scene load_scene(const std::string& name, float aspect_ratio);
 // A sample scene is named by its name.
 std::string to_toml(const Scene& scene);
 
-// A line for each name that load_scene knows besides files.
+// A line for each name that load_scene takes besides files.
 std::string list_scenes();
 
 // The scene of a TOML scene file's text (docs/scene_files.md). The path names the file in

@@ -27,7 +27,7 @@ inline constexpr std::int64_t flat = -1;
 
 // Twice the area of the triangle a, b, c is the length of this vector, which stands upright on it
 // on the side where the corners run counter-clockwise. In double, because the squares and products
-// of coordinates up to 1.8e18 are no floats.
+// of coordinates up to 1.8e18 overflow a float.
 glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 // The normal of unit length at each corner; corners 3i, 3i + 1 and 3i + 2 are a triangle, which has

@@ -13,10 +13,10 @@ namespace raysteps {
 // light/materials.glsl say. The fourth number of a texel is 0 where nothing is said of it.
 std::vector<glm::vec4> pack_vectors(std::span<const glm::vec3> vectors);
 
-// Three texels a material: diffuse; specular, and 1 in w where it is a mirror; emission.
+// Three texels per material: diffuse; specular, and 1 in w where it is a mirror; emission.
 std::vector<glm::vec4> pack_materials(std::span<const Material> materials);
 
-// The texels of light/glass_materials.glsl, two a material.
+// The texels of light/glass_materials.glsl, two per material.
 std::vector<glm::vec4> pack_glass(const Scene& scene);
 
 } // namespace raysteps

@@ -2,11 +2,11 @@
 
 #include "basics/error.h"
 #include "basics/file.h"
+#include "basics/text.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -87,7 +87,7 @@ void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits
 
 namespace {
 
-// The places of the columns in the eight numbers of a ray.
+// The indices of the columns in the eight numbers of a ray.
 constexpr std::array<std::string_view, 8> columns{"origin_x",    "origin_y",    "origin_z",
                                                   "direction_x", "direction_y", "direction_z",
                                                   "t_min",       "t_max"};
@@ -118,7 +118,7 @@ std::vector<std::string_view> split_cells(std::string_view line) {
 
 // Which number of a ray each cell of a line is.
 std::vector<std::size_t> read_header(std::string_view line, const std::filesystem::path& path) {
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     for (const std::string_view cell : split_cells(line)) {
         const auto column = std::find(columns.begin(), columns.end(), cell);
         if (column == columns.end()) {
@@ -127,31 +127,31 @@ std::vector<std::size_t> read_header(std::string_view line, const std::filesyste
                      "`. The columns are origin_x, origin_y, origin_z, direction_x, direction_y, "
                      "direction_z, t_min, t_max.");
         }
-        places.push_back(static_cast<std::size_t>(column - columns.begin()));
+        indices.push_back(static_cast<std::size_t>(column - columns.begin()));
     }
-    std::vector<std::size_t> sorted = places;
+    std::vector<std::size_t> sorted = indices;
     std::sort(sorted.begin(), sorted.end());
     if (sorted.size() != columns.size() ||
         std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
         fail(path, 1, "each of the eight columns is needed once. Name them in the first line.");
     }
-    return places;
+    return indices;
 }
 
-Ray read_line(std::string_view line, const std::vector<std::size_t>& places,
+Ray read_line(std::string_view line, const std::vector<std::size_t>& indices,
               const std::filesystem::path& path, int number) {
     const std::vector<std::string_view> cells = split_cells(line);
-    if (cells.size() != places.size()) {
+    if (cells.size() != indices.size()) {
         fail(path, number,
              "the line has " + std::to_string(cells.size()) + " cells, but 8 are needed.");
     }
     std::array<float, 8> numbers{};
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const char* end = cells[i].data() + cells[i].size();
-        const auto parsed = std::from_chars(cells[i].data(), end, numbers[places[i]]);
-        if (parsed.ec != std::errc() || parsed.ptr != end) {
+        const auto parsed = parse_number<float>(cells[i]);
+        if (!parsed) {
             fail(path, number, "`" + std::string(cells[i]) + "` is not a number.");
         }
+        numbers[indices[i]] = *parsed;
     }
     return {{numbers[0], numbers[1], numbers[2]},
             {numbers[3], numbers[4], numbers[5]},
@@ -163,18 +163,18 @@ Ray read_line(std::string_view line, const std::vector<std::size_t>& places,
 
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path) {
     std::vector<Ray> rays;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     for (int number = 1; !text.empty(); ++number) {
         const auto end = text.find('\n');
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (number == 1) {
-            places = read_header(line, path);
+            indices = read_header(line, path);
         } else if (!trim(line).empty()) {
-            rays.push_back(read_line(line, places, path, number));
+            rays.push_back(read_line(line, indices, path, number));
         }
     }
-    if (places.empty()) {
+    if (indices.empty()) {
         fail(path, 1, "the file is empty. Its first line names the columns.");
     }
     return rays;

@@ -19,7 +19,7 @@ struct Camera {
     float vertical_field_of_view = 40.0f;
     float aperture = 0.0f;       // of the lens, its diameter; 0 is a pinhole, which is all sharp
     float focus_distance = 0.0f; // of the sharp plane from the eye; 0 is the target's
-    int samples = 0;             // rays a pixel; 0 is as many as the scene calls for
+    int samples = 0;             // rays per pixel; 0 is as many as the scene calls for
 };
 
 // A point that shines equally in all directions, and equally strong at every distance, as in the
@@ -48,10 +48,10 @@ struct Material {
     float opacity = 1.0f;          // d, or 1 - Tr
     glm::vec3 transmission{1.0f};  // Tf
     int illumination_model = 1;    // illum
-    std::string diffuse_map;       // map_Kd: path of the picture, empty where there is none
+    std::string diffuse_map;       // map_Kd: path of the texture, empty where there is none
 };
 
-// The illumination models 3 to 7 and 9 ask for ray-traced reflection; without a specular colour it
+// The illumination models 3 to 7 and 9 call for ray-traced reflection; without a specular colour it
 // is black.
 inline bool is_mirror(const Material& material) {
     const int model = material.illumination_model;
@@ -61,26 +61,26 @@ inline bool is_mirror(const Material& material) {
 // What a material calls for, by the statements of its MTL file.
 
 // The part of the light that a surface lets through: 1 - d where d is under 1; else all of it where
-// the illumination model asks for transparency (4, 6, 7 and 9), and nothing where it does not.
+// the illumination model calls for transparency (4, 6, 7 and 9), and nothing where it does not.
 float transparency(const Material& material);
 
 inline bool is_glass(const Material& material) {
     return transparency(material) > 0.0f;
 }
 
-// Does it swallow light on the way through (Tf)?
+// Does it absorb light on the way through (Tf)?
 inline bool absorbs(const Material& material) {
     return is_glass(material) && material.transmission != glm::vec3(1.0f);
 }
 
-// The illumination models from 2 on ask for highlights; without a colour or an exponent they are
-// none.
+// The illumination models from 2 on call for highlights; without a colour or an exponent there
+// are none.
 inline bool has_highlight(const Material& material) {
     return material.illumination_model >= 2 && material.specular != glm::vec3(0.0f) &&
            material.shininess > 0.0f;
 }
 
-inline bool has_picture(const Material& material) {
+inline bool has_texture(const Material& material) {
     return !material.diffuse_map.empty();
 }
 
@@ -113,7 +113,7 @@ struct Scene {
     glm::vec3 background{0.0f};
     std::optional<Sky> sky;            // where there is one, it takes the place of the background
     std::vector<Model> models;         // where the triangles came from; empty for a sample scene
-    std::vector<std::string> messages; // what a person should know of how it was loaded
+    std::vector<std::string> messages; // what the user should know about how it was loaded
 };
 
 inline int triangle_count(const Scene& scene) {

@@ -45,7 +45,7 @@ std::vector<glm::vec3> unit_icosahedron() {
     std::vector<glm::vec3> triangles;
     triangles.reserve(icosahedron_faces.size());
     for (const int index : icosahedron_faces) {
-        triangles.push_back(corners[static_cast<std::size_t>(index)]);
+        triangles.push_back(corners[index]);
     }
     return triangles;
 }

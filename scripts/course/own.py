@@ -73,8 +73,8 @@ def named_as_the_person_knows(message, exercise, own):
         is_own, number = own.composed.origins[line - 1]
         return f"{own.name if is_own else exercise.file}:{number}:"
 
-    message = re.sub(r"^The shader \S+ does not compile\. Mend the line that is named:",
-                     "Mend the line that is named, or the one before it:", message)
+    message = re.sub(r"^The shader \S+ does not compile\. Fix the line that is named:",
+                     "Fix the line that is named, or the one before it:", message)
     return re.sub(rf"(?<![\w/]){re.escape(short)}:(\d+):", name, message)
 
 

@@ -18,7 +18,7 @@ real3 cross_product(real3 a, real3 b) {
     return real3(x, y, z);
 }
 
-// The vector of length 1 in the same direction; of the zero vector, not a number.
+// The vector of length 1 in the same direction; of the zero vector, NaN.
 // Scaled first, so that no square is too large or too small for the numbers at hand.
 real3 unit(real3 a) {
     real largest = max(abs(a.x), max(abs(a.y), abs(a.z)));

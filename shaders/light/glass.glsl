@@ -1,4 +1,4 @@
-// Where a ray meets glass it parts in two: a reflected and a refracted ray.
+// Where a ray meets glass it splits in two: a reflected and a refracted ray.
 
 struct GlassMeeting {
     Ray reflected;

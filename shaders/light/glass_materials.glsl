@@ -1,6 +1,6 @@
 // What refraction needs of the materials: two texels each. The first is what is left of light after
 // one unit of length (Tf), and the refractive index (Ni); the second has in x the part of the light
-// that does not stop at the surface (0 where the material is no glass).
+// that does not stop at the surface (0 where the material is not glass).
 uniform samplerBuffer glass_texels;
 
 struct Glass {

@@ -1,4 +1,4 @@
-// The ray that asks whether anything stands between a surface and a light.
+// The ray that tests whether anything stands between a surface and a light.
 
 // The last part of the way is the lamp's own: what is hit there is the lamp, not something before
 // it.

@@ -1,4 +1,4 @@
-// Pictures on surfaces. Corner c of triangle i has its place (u, v) in texel 3i + c; the lower left
+// Textures. Corner c of triangle i has its place (u, v) in texel 3i + c; the lower left
 // corner of a picture is (0, 0). A picture is four integers: its first texel, width, height and
 // number of levels. Its levels lie one behind the other, each half as wide and half as high as the
 // last (rounded down, at least 1), the top row first. A material has the number of its picture, or

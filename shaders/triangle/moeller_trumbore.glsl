@@ -1,5 +1,5 @@
 // Where does this ray meet this triangle? Both sides of a triangle count, and no number is taken
-// for "almost zero": det = 0 makes u, v and t infinite or not a number, which no comparison
+// for "almost zero": det = 0 makes u, v and t infinite or NaN, which no comparison
 // accepts. Source: Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 
 struct PreparedRay {

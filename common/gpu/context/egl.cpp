@@ -37,11 +37,9 @@ std::vector<EGLDisplay> list_displays(EglDevices devices) {
     if (query_devices && query_string &&
         query_devices(static_cast<EGLint>(found.size()), found.data(), &count)) {
         for (EGLint i = 0; i < count; ++i) {
-            const char* extensions =
-                query_string(found[static_cast<std::size_t>(i)], EGL_EXTENSIONS);
+            const char* extensions = query_string(found[i], EGL_EXTENSIONS);
             if (!has_word(extensions, "EGL_MESA_device_software")) {
-                displays.push_back(platform_display(EGL_PLATFORM_DEVICE_EXT,
-                                                    found[static_cast<std::size_t>(i)], nullptr));
+                displays.push_back(platform_display(EGL_PLATFORM_DEVICE_EXT, found[i], nullptr));
             }
         }
     }

@@ -37,7 +37,7 @@ enum class EmbreeCall {
 // are equally near, any one may be found.
 class EmbreeScene {
 public:
-    // Three corners a triangle. Throws MachineError where Embree is missing, or fails.
+    // Three corners per triangle. Throws MachineError where Embree is missing, or fails.
     EmbreeScene(std::span<const glm::vec3> corners, EmbreeMode mode);
     ~EmbreeScene();
     EmbreeScene(EmbreeScene&&) noexcept;

@@ -77,7 +77,7 @@ void add_camera_effects(Calls& calls, const Scene& scene) {
     const Camera& camera = scene.camera;
     if (camera.samples > 1) {
         calls.add(Effect::antialiasing,
-                  "the camera asks for " + std::to_string(camera.samples) + " rays a pixel");
+                  "the camera wants " + std::to_string(camera.samples) + " rays per pixel");
     }
     if (camera.aperture > 0.0f) {
         calls.add(Effect::depth_of_field, "the camera has a lens");
@@ -124,7 +124,7 @@ std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_rat
     add_camera_effects(calls, scene);
     add_light_effects(calls, scene, seen);
     if (calls.has(Effect::diffuse)) {
-        calls.add(Effect::textures, reason_of(scene, seen, has_picture));
+        calls.add(Effect::textures, reason_of(scene, seen, has_texture));
     }
     calls.add(Effect::mirrors, reason_of(scene, seen, [](const Material& material) {
                   return is_mirror(material) && !is_glass(material);
@@ -186,7 +186,7 @@ bool is_outside(const Frustum& frustum, const glm::vec3* corners) {
 std::vector<int> triangles_of_materials(const Scene& scene) {
     std::vector<int> counts(scene.materials.size(), 0);
     for (const int material : scene.triangle_materials) {
-        ++counts[static_cast<std::size_t>(material)];
+        ++counts[material];
     }
     return counts;
 }

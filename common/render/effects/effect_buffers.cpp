@@ -17,21 +17,21 @@ void add(EffectBuffers& buffers, const std::string& name, const Texels& texels) 
     buffers.buffers.emplace(name, std::span(texels));
 }
 
-struct PackedPictures {
+struct PackedTextures {
     std::vector<glm::vec4> texels;
-    std::vector<glm::ivec4> pictures;
+    std::vector<glm::ivec4> textures; // where each begins, its width, height and levels
 };
 
-PackedPictures pack_pictures(const std::vector<Image>& pictures) {
-    PackedPictures packed;
-    for (const Image& picture : pictures) {
-        const std::vector<Image> levels = picture_pyramid(picture);
+PackedTextures pack_textures(const std::vector<Image>& textures) {
+    PackedTextures packed;
+    for (const Image& texture : textures) {
+        const std::vector<Image> levels = mipmap_of(texture);
         if (packed.texels.size() > std::numeric_limits<int>::max() / 2) {
-            throw InputError("The pictures of the scene have too many texels. Make them smaller, "
+            throw InputError("The textures of the scene have too many texels. Make them smaller, "
                              "or leave them out with --effects -textures.");
         }
-        packed.pictures.emplace_back(static_cast<int>(packed.texels.size()), picture.width,
-                                     picture.height, static_cast<int>(levels.size()));
+        packed.textures.emplace_back(static_cast<int>(packed.texels.size()), texture.width,
+                                     texture.height, static_cast<int>(levels.size()));
         for (const Image& level : levels) {
             for (const glm::vec3& pixel : level.pixels) {
                 packed.texels.emplace_back(pixel, 0.0f);
@@ -41,9 +41,9 @@ PackedPictures pack_pictures(const std::vector<Image>& pictures) {
     return packed;
 }
 
-void add_pictures(EffectBuffers& buffers, const Scene& scene) {
-    const ScenePictures loaded = load_pictures(scene);
-    const PackedPictures packed = pack_pictures(loaded.pictures);
+void add_textures(EffectBuffers& buffers, const Scene& scene) {
+    const LoadedTextures loaded = load_textures(scene);
+    const PackedTextures packed = pack_textures(loaded.images);
     std::vector<glm::vec4> coordinates;
     coordinates.reserve(scene.corners.size());
     for (std::size_t i = 0; i < scene.corners.size(); ++i) {
@@ -51,11 +51,11 @@ void add_pictures(EffectBuffers& buffers, const Scene& scene) {
                                                                       : glm::vec2(0.0f),
                                  0.0f, 0.0f);
     }
-    const std::vector<std::int32_t> numbers(loaded.number_of_material.begin(),
-                                            loaded.number_of_material.end());
+    const std::vector<std::int32_t> numbers(loaded.index_of_material.begin(),
+                                            loaded.index_of_material.end());
     add(buffers, "triangle_coordinates", coordinates);
     add(buffers, "picture_texels", packed.texels);
-    add(buffers, "pictures", packed.pictures);
+    add(buffers, "pictures", packed.textures);
     add(buffers, "material_pictures", numbers);
     buffers.messages = loaded.messages;
 }
@@ -94,7 +94,7 @@ EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
         add(buffers, "gloss_texels", pack_gloss(scene));
     }
     if (has(plan, Effect::textures)) {
-        add_pictures(buffers, scene);
+        add_textures(buffers, scene);
     }
     return buffers;
 }

@@ -19,14 +19,14 @@ namespace raysteps {
 // sends rays on from it, and shows only that part of its colour which does not go through it.
 std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& plan);
 
-// The texels of light/highlight.glsl, one a material.
+// The texels of light/highlight.glsl, one per material.
 std::vector<glm::vec4> pack_gloss(const Scene& scene);
 
 // Arrays that only some effects read, by the names of their uniforms; empty where the plan has none
 // of those effects.
 struct EffectBuffers {
     std::map<std::string, BufferTexture> buffers;
-    std::vector<std::string> messages; // of pictures that could not be read
+    std::vector<std::string> messages; // of textures that could not be read
     std::size_t bytes = 0;
 };
 
@@ -34,8 +34,8 @@ EffectBuffers upload_effects(const Scene& scene, const Plan& plan);
 
 void bind(Program& program, const EffectBuffers& buffers);
 
-// The programs of a plan, compiled and given what stays the same for all pictures of the scene. To
-// ask for one that the plan does not have is a fault of the caller.
+// The programs of a plan, compiled and given what stays the same for all pictures of the scene.
+// Asking for a pass that the plan does not have is a bug of the caller.
 class PlannedPasses {
 public:
     PlannedPasses(const Plan& plan, const SceneTextures& scene, const EffectBuffers& effects);
@@ -46,27 +46,27 @@ private:
     std::map<std::string, Program> programs_;
 };
 
-// A picture made by code, for surfaces of sample scenes: `made:checker`, `made:bricks`, `made:wood`
+// A texture made by code, for surfaces of sample scenes: `made:checker`, `made:bricks`, `made:wood`
 // or `made:globe`. Throws InputError where there is none of that name.
-Image made_picture(const std::string& name);
+Image made_texture(const std::string& name);
 
-// Whether the name is one that made_picture is asked for.
-bool is_made_picture(const std::string& name);
+// Whether the name begins as those that made_texture knows.
+bool is_made_texture(const std::string& name);
 
-// The picture and its coarser levels: each half as wide and half as high as the last, rounded down,
-// at least 1, until a single texel. A texel is the mean of the finer ones that it covers.
-// Source: Williams, "Pyramidal parametrics", 1983.
-std::vector<Image> picture_pyramid(const Image& picture);
+// The mipmap of an image: itself and its coarser levels, each half as wide and half as high as the
+// last, rounded down, at least 1, until a single texel. A texel is the mean of the finer ones that
+// it covers. Source: Williams, "Pyramidal parametrics", 1983.
+std::vector<Image> mipmap_of(const Image& image);
 
-// The pictures that materials of a scene name, each once, and the number of its picture for each
-// material, or -1. A picture that cannot be read is left out with a message: its material then
-// shows its Kd alone.
-struct ScenePictures {
-    std::vector<Image> pictures;
-    std::vector<int> number_of_material;
+// The images that materials of a scene name as textures, each once, and the index of its image for
+// each material, or -1. One that cannot be read is left out with a message: its material then shows
+// its Kd alone.
+struct LoadedTextures {
+    std::vector<Image> images;
+    std::vector<int> index_of_material;
     std::vector<std::string> messages;
 };
 
-ScenePictures load_pictures(const Scene& scene);
+LoadedTextures load_textures(const Scene& scene);
 
 } // namespace raysteps

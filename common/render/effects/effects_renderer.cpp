@@ -114,7 +114,7 @@ RayTextures EffectsRenderer::camera_rays(const Camera& camera, int width, int he
     return through_lens;
 }
 
-// The rays of a branch to their end, or to the glass where they part.
+// The rays of a branch to their end, or to the glass where they split.
 void EffectsRenderer::follow(Branch branch, const Texture& color, int sample) {
     const int width = branch.weights.width();
     const int height = branch.weights.height();
@@ -140,7 +140,7 @@ void EffectsRenderer::follow(Branch branch, const Texture& color, int sample) {
         retire(*branch.live, passes_["select_unmirrored"].set("hits", hits));
         if (has(plan_, Effect::refraction) &&
             count_live(*branch.live, passes_["select_glass"].set("hits", hits)) > 0) {
-            part_at_glass(branch, hits);
+            split_at_glass(branch, hits);
             return;
         }
         if (!mirror(branch, hits)) {
@@ -199,12 +199,12 @@ bool EffectsRenderer::mirror(Branch& branch, const Texture& hits) {
 }
 
 // Sends up to two rays on from each path that lives, as a list.
-void EffectsRenderer::part_at_glass(const Branch& branch, const Texture& hits) {
+void EffectsRenderer::split_at_glass(const Branch& branch, const Texture& hits) {
     const LiveMask& live = *branch.live;
     const long meeting = count_live(live, passes_["select_all"]);
     Branch first = make_branch(hits.width(), hits.height(), Media::kept);
     Branch second = make_branch(hits.width(), hits.height(), Media::kept);
-    clear(first.weights); // a ray that counts nothing is none
+    clear(first.weights); // a ray of weight 0 is no ray
     clear(second.weights);
     const auto all_of = [&](const Branch& to) {
         return Targets{.textures = {to.rays.origins, to.rays.directions, to.weights, *to.media},

@@ -46,8 +46,8 @@ std::vector<std::pair<std::string, long>> kinds_of(const RayTally& tally);
 
 long all_rays(const RayTally& tally);
 
-// Rays that are about to be traced, one a texel, and what they count for their pixels. Where
-// `targets` is empty, each ray belongs to the pixel of its place; else `targets` has the pixel of
+// Rays that are about to be traced, one per texel, and what they count for their pixels. Where
+// `targets` is empty, each ray belongs to the pixel of its texel; else `targets` has the pixel of
 // each, the bottom row of the picture first.
 struct Branch {
     RayTextures rays;
@@ -78,14 +78,14 @@ struct Gathered {
     long second_faint = 0; // that would have counted something, but too little
 };
 
-// The rays of both branches that count more than `faintest`, without gaps: of each place the first
+// The rays of both branches that count more than `faintest`, without gaps: for each texel the first
 // branch's, then the second's. The targets are those of the branch that they come from.
 Gathered gather(const Branch& first, const Branch& second, const Branch& parent, float faintest);
 
-// The list as textures, cut into pieces of at most `most_rays_a_piece`.
+// The list as textures, cut into pieces of at most `most_rays_per_piece`.
 std::vector<Branch> upload_list(const RayList& list, int bounce);
 
-inline constexpr std::size_t most_rays_a_piece = std::size_t{1} << 21;
+inline constexpr std::size_t most_rays_per_piece = std::size_t{1} << 21;
 
 // Where the live paths of a picture are: their rays, what these hit, and what they count.
 struct PathsAtHits {
@@ -95,7 +95,7 @@ struct PathsAtHits {
     const LiveMask& live;
 };
 
-// Adds the light of the scene's lamps to a picture, with the effects of the plan. Lights are asked
+// Adds the light of the scene's lamps to a picture, with the effects of the plan. Lights come
 // one after the other, so each pixel gets its sums in the same order whatever the plan.
 class Lamps {
 public:
@@ -111,11 +111,11 @@ private:
 };
 
 // A picture of a scene with the effects of a plan, as a wavefront: each pass does one step of all
-// paths. While a pixel has one path, its ray has the pixel's place. From the first glass on, where
-// paths part in two, the rays of a bounce are a list without gaps, and each carries what it finds
-// to its pixel; the next bounce's list has up to two for each of this one's. So Whitted's tree of
-// rays is walked level by level.
-// Source: Whitted, "An Improved Illumination Model for Shaded Display", 1980.
+// paths. While a pixel has one path, its ray is at the pixel's texel. From the first glass on,
+// where paths split in two, the rays of a bounce are a list without gaps, and each carries what it
+// finds to its pixel; the next bounce's list has up to two for each of this one's. So Whitted's
+// tree of rays is walked level by level. Source: Whitted, "An Improved Illumination Model for
+// Shaded Display", 1980.
 class EffectsRenderer {
 public:
     // The textures are those of the scene, with the structure that the parts walk through. Throws
@@ -132,7 +132,7 @@ public:
     // Of the effects' own arrays.
     std::size_t effect_bytes() const { return effects_.bytes; }
 
-    // Of pictures that could not be read.
+    // Of textures that could not be read.
     const std::vector<std::string>& messages() const { return effects_.messages; }
 
     void report_progress(Progress progress) { progress_ = std::move(progress); }
@@ -143,7 +143,7 @@ private:
     void shade(Branch& branch, const Texture& hits, const Texture& light, int sample);
     void carry_to_pixels(const Branch& branch, const Texture& light, const Texture& color);
     bool mirror(Branch& branch, const Texture& hits);
-    void part_at_glass(const Branch& branch, const Texture& hits);
+    void split_at_glass(const Branch& branch, const Texture& hits);
     Program& at_hits(const std::string& pass, const Branch& branch, const Texture& hits);
 
     Plan plan_;

@@ -47,8 +47,9 @@ std::string explain(const Plan& plan) {
     if (!not_called.empty()) {
         text += line("not run", not_called);
     }
-    text += line("samples", std::to_string(plan.camera_samples) + " rays a pixel, " +
-                                std::to_string(plan.lamp_samples) + " for each lamp");
+    text += line("samples", std::to_string(plan.camera_samples) +
+                                (plan.camera_samples == 1 ? " ray" : " rays") + " per pixel, " +
+                                std::to_string(plan.lamp_samples) + " per lamp");
     for (const PlannedPass& pass : plan.passes) {
         std::string parts;
         for (const auto& [slot, file] : pass.parts) {

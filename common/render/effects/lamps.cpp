@@ -31,7 +31,7 @@ Program& set_lamp(Program& program, const LampPoint& lamp) {
         .set("light_color", lamp.color);
 }
 
-// What asking one point of a light takes.
+// What one point of a light takes.
 class LampWork {
 public:
     LampWork(const PathsAtHits& paths, const Plan& plan, PlannedPasses& passes, TraceRays& trace,
@@ -39,7 +39,7 @@ public:
         : paths_(paths), plan_(plan), passes_(passes), trace_(trace), scene_(scene), tally_(tally),
           width_(paths.hits.width()), height_(paths.hits.height()) {}
 
-    // The colour of each surface from its picture, for all lamps.
+    // The colour of each surface from its texture, for all lamps.
     void paint() {
         paint_.emplace(TexelFormat::rgba32f, width_, height_);
         draw(set_paths(passes_["paint_surface"], paths_),

@@ -1,20 +1,13 @@
 #include "render/effects/plan.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 
 #include <algorithm>
 
 namespace raysteps {
 
 namespace {
-
-std::string list_names() {
-    std::string names;
-    for (const EffectRow& row : list_effects()) {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-    }
-    return names;
-}
 
 EffectSet chosen(std::string_view name) {
     return name == "all" ? all_effects() : EffectSet{effect_of(name)};
@@ -39,10 +32,10 @@ EffectSet changed(EffectSet effects, std::string_view word) {
 
 const std::vector<EffectRow>& list_effects() {
     static const std::vector<EffectRow> rows = {
-        {Effect::antialiasing, "antialiasing", {"spread_rays"}, "many rays a pixel"},
+        {Effect::antialiasing, "antialiasing", {"spread_rays"}, "many rays per pixel"},
         {Effect::depth_of_field, "depth_of_field", {"lens_rays"}, "a lens instead of a pinhole"},
         {Effect::sky, "sky", {"add_sky"}, "a background that depends on the direction"},
-        {Effect::textures, "textures", {"paint_surface"}, "pictures on surfaces (map_Kd)"},
+        {Effect::textures, "textures", {"paint_surface"}, "textures (map_Kd)"},
         {Effect::diffuse, "diffuse", {"light_surface"}, "matte light (Kd)"},
         {Effect::highlights, "highlights", {"add_highlight"}, "glossy highlights (Ks, Ns)"},
         {Effect::shadows, "shadows", {"cast_lamp_rays"}, "shadow rays to the lights"},
@@ -56,7 +49,7 @@ const std::vector<EffectRow>& list_effects() {
          "refraction",
          {"refract", "reflect_off_glass", "carry_media", "scatter_light"},
          "glass: refracted and reflected rays (illum 4, 6, 7, 9 or d < 1; Ni)"},
-        {Effect::absorption, "absorption", {"absorb"}, "glass that swallows light (Tf)"},
+        {Effect::absorption, "absorption", {"absorb"}, "glass that absorbs light (Tf)"},
     };
     return rows;
 }
@@ -66,13 +59,15 @@ const EffectRow& row_of(Effect effect) {
 }
 
 Effect effect_of(std::string_view name) {
+    std::vector<std::string_view> names;
     for (const EffectRow& row : list_effects()) {
         if (row.name == name) {
             return row.effect;
         }
+        names.push_back(row.name);
     }
-    throw InputError("There is no effect \"" + std::string(name) + "\". Take one of " +
-                     list_names() + ", or all.");
+    names.emplace_back("all");
+    throw InputError(no_such_choice("--effects", name, "effect", names));
 }
 
 EffectSet all_effects() {
@@ -94,10 +89,10 @@ EffectSet choose_effects(EffectSet effects, std::string_view choice) {
 
 namespace {
 
-// What a scene with a lens or an area light gets that does not say how many rays it wants.
+// For a scene with a lens or an area light that does not say how many rays it wants.
 constexpr int usual_samples = 16;
 
-// Some effects are made of others: without those they are nothing.
+// Some effects build on others, and mean nothing without them.
 EffectSet without_the_baseless(EffectSet effects, const EffectSet& forced_off) {
     const auto needs = [&](Effect effect, bool base) {
         if (!base) {

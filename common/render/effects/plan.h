@@ -86,7 +86,7 @@ struct Plan {
     std::vector<EffectCall> called; // by the scene
     EffectSet effects;              // those called for, as forced on and off
     std::vector<PlannedPass> passes;
-    int camera_samples = 1; // rays a pixel
+    int camera_samples = 1; // rays per pixel
     int lamp_samples = 1;   // shadow rays that each hit sends to a light with an area
     Quality quality;
 };
@@ -100,12 +100,12 @@ inline bool has(const Plan& plan, Effect effect) {
     return plan.effects.contains(effect);
 }
 
-// Whether the plan's passes ask lights at all.
+// Whether the plan's passes use the lights at all.
 inline bool is_lit(const Plan& plan) {
     return has(plan, Effect::diffuse) || has(plan, Effect::highlights);
 }
 
-// Whether paths go on behind their first hit.
+// Whether paths go on after their first hit.
 inline bool goes_on(const Plan& plan) {
     return has(plan, Effect::mirrors) || has(plan, Effect::refraction);
 }

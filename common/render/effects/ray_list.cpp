@@ -30,7 +30,7 @@ float brightest(const glm::vec4& weight) {
     return std::max({weight.x, weight.y, weight.z});
 }
 
-// The textures of a branch, on this side.
+// The texels of a branch, on the CPU.
 struct Texels {
     explicit Texels(const Branch& branch)
         : origins(read_floats(branch.rays.origins)),
@@ -43,11 +43,11 @@ struct Texels {
     std::vector<glm::uvec4> media;
 };
 
-void append(RayList& list, const Texels& texels, std::size_t place, std::int32_t target) {
-    list.origins.push_back(texels.origins[place]);
-    list.directions.push_back(texels.directions[place]);
-    list.weights.push_back(texels.weights[place]);
-    list.media.push_back(texels.media[place]);
+void append(RayList& list, const Texels& texels, std::size_t i, std::int32_t target) {
+    list.origins.push_back(texels.origins[i]);
+    list.directions.push_back(texels.directions[i]);
+    list.weights.push_back(texels.weights[i]);
+    list.media.push_back(texels.media[i]);
     list.targets.push_back(target);
 }
 
@@ -55,8 +55,8 @@ void append(RayList& list, const Texels& texels, std::size_t place, std::int32_t
 template <class Value>
 std::vector<Value> part_of(const std::vector<Value>& values, std::size_t first, std::size_t count,
                            std::size_t size) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-    std::vector<Value> part(begin, begin + static_cast<std::ptrdiff_t>(count));
+    const auto begin = values.begin() + first;
+    std::vector<Value> part(begin, begin + count);
     part.resize(size, Value(0));
     return part;
 }
@@ -117,8 +117,8 @@ Gathered gather(const Branch& first, const Branch& second, const Branch& parent,
 
 std::vector<Branch> upload_list(const RayList& list, int bounce) {
     std::vector<Branch> pieces;
-    for (std::size_t first = 0; first < list.targets.size(); first += most_rays_a_piece) {
-        const std::size_t count = std::min(most_rays_a_piece, list.targets.size() - first);
+    for (std::size_t first = 0; first < list.targets.size(); first += most_rays_per_piece) {
+        const std::size_t count = std::min(most_rays_per_piece, list.targets.size() - first);
         pieces.push_back(upload_part(list, first, count, bounce));
     }
     return pieces;

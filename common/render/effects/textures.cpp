@@ -1,6 +1,7 @@
 #include "render/effects/effect_buffers.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "image/image_file.h"
 #include "scene/scene.h"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr int side = 512;
 constexpr float turn = 2.0f * std::numbers::pi_v<float>;
 
-// Colours of places (u, v) from 0 to 1, from the lower left on.
+// Colours at (u, v) from 0 to 1, from the lower left on.
 template <class ColorAt>
 Image painted(int width, int height, const ColorAt& color_at) {
     Image image(width, height);
@@ -97,11 +98,11 @@ const std::string prefix = "made:";
 
 } // namespace
 
-bool is_made_picture(const std::string& name) {
+bool is_made_texture(const std::string& name) {
     return name.starts_with(prefix);
 }
 
-Image made_picture(const std::string& name) {
+Image made_texture(const std::string& name) {
     if (name == "made:checker") {
         return checker();
     }
@@ -114,9 +115,8 @@ Image made_picture(const std::string& name) {
     if (name == "made:globe") {
         return globe();
     }
-    throw InputError("There is no picture " + name +
-                     ". Those made by code are made:checker, made:bricks, made:wood and "
-                     "made:globe.");
+    throw InputError(no_such_choice("map_Kd", name, "texture made by code",
+                                    {"made:checker", "made:bricks", "made:wood", "made:globe"}));
 }
 
 namespace {
@@ -154,8 +154,8 @@ Image halved(const Image& finer) {
 
 } // namespace
 
-std::vector<Image> picture_pyramid(const Image& picture) {
-    std::vector<Image> levels{picture};
+std::vector<Image> mipmap_of(const Image& image) {
+    std::vector<Image> levels{image};
     while (levels.back().width > 1 || levels.back().height > 1) {
         levels.push_back(halved(levels.back()));
     }
@@ -164,35 +164,35 @@ std::vector<Image> picture_pyramid(const Image& picture) {
 
 namespace {
 
-constexpr int no_picture = -1;
+constexpr int no_texture = -1;
 
-Image load_picture(const std::string& name) {
-    return is_made_picture(name) ? made_picture(name) : read_picture(name);
+Image load_texture(const std::string& name) {
+    return is_made_texture(name) ? made_texture(name) : read_picture(name);
 }
 
 } // namespace
 
-ScenePictures load_pictures(const Scene& scene) {
-    ScenePictures result;
-    std::map<std::string, int> number_of_name;
+LoadedTextures load_textures(const Scene& scene) {
+    LoadedTextures result;
+    std::map<std::string, int> index_of_name;
     for (const Material& material : scene.materials) {
-        if (!has_picture(material)) {
-            result.number_of_material.push_back(no_picture);
+        if (!has_texture(material)) {
+            result.index_of_material.push_back(no_texture);
             continue;
         }
-        const auto [entry, is_new] = number_of_name.try_emplace(
-            material.diffuse_map, static_cast<int>(number_of_name.size()));
+        const auto [entry, is_new] =
+            index_of_name.try_emplace(material.diffuse_map, static_cast<int>(index_of_name.size()));
         if (is_new) {
-            entry->second = no_picture;
+            entry->second = no_texture;
             try {
-                result.pictures.push_back(load_picture(material.diffuse_map));
-                entry->second = static_cast<int>(result.pictures.size()) - 1;
+                result.images.push_back(load_texture(material.diffuse_map));
+                entry->second = static_cast<int>(result.images.size()) - 1;
             } catch (const InputError& error) {
                 result.messages.push_back("Material " + material.name +
-                                          ": its picture is left out. " + error.what());
+                                          ": its texture is left out. " + error.what());
             }
         }
-        result.number_of_material.push_back(entry->second);
+        result.index_of_material.push_back(entry->second);
     }
     return result;
 }

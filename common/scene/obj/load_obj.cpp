@@ -97,7 +97,7 @@ Material to_material(const tinyobj::material_t& source) {
     return material;
 }
 
-// Versions of tinyobjloader differ in where a name with spaces ends; the text knows.
+// Versions of tinyobjloader disagree on where a name with spaces ends; the text is clear.
 std::vector<std::string> names_in(const std::string& clean_mtl) {
     const std::string keyword = "newmtl ";
     std::istringstream lines(clean_mtl);
@@ -183,10 +183,10 @@ ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
         const CleanMtl clean = clean_mtl(text);
         ParsedMtl parsed{read_clean_mtl(clean.text), clean.findings.sentences(path)};
         for (Material& material : parsed.materials) {
-            const MtlPicture picture = find_picture(material.diffuse_map, path, inside);
-            material.diffuse_map = picture.path;
-            if (!picture.message.empty())
-                parsed.messages.push_back(picture.message);
+            const MtlTexture texture = find_texture(material.diffuse_map, path, inside);
+            material.diffuse_map = texture.path;
+            if (!texture.message.empty())
+                parsed.messages.push_back(texture.message);
         }
         return parsed;
     });
@@ -272,10 +272,10 @@ void SceneMaker::add_face(const ObjFace& face) {
 }
 
 void SceneMaker::add_corner(const ObjCorner& corner, int smoothing_group) {
-    const int place = corner.texture_coordinate;
+    const int index = corner.texture_coordinate;
     scene_.corners.push_back(file_.positions[corner.position]);
-    scene_.texture_coordinates.push_back(place == not_given ? glm::vec2(0.0f)
-                                                            : file_.texture_coordinates[place]);
+    scene_.texture_coordinates.push_back(index == not_given ? glm::vec2(0.0f)
+                                                            : file_.texture_coordinates[index]);
     origins_.push_back({corner, smoothing_group});
 }
 

@@ -28,7 +28,7 @@ struct ParsedMtl {
     std::vector<std::string> messages;
 };
 
-// The materials of an MTL file's text. The path names the file in sentences; pictures are looked
+// The materials of an MTL file's text. The path names the file in sentences; textures are looked
 // for in its folder, and left out where they are not in the folder `inside` or below it. Throws as
 // load_obj does.
 ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,

@@ -46,14 +46,14 @@ std::optional<std::filesystem::path> path_inside(const std::filesystem::path& in
     return path;
 }
 
-MtlPicture find_picture(const std::string& name, const std::filesystem::path& mtl_path,
+MtlTexture find_texture(const std::string& name, const std::filesystem::path& mtl_path,
                         const std::filesystem::path& inside) {
     if (name.empty())
         return {};
     const auto path = path_inside(inside, folder_of(mtl_path), name);
     if (path)
         return {path->string(), ""};
-    return {"", mtl_path.string() + ": The picture " + in_quotes(name) +
+    return {"", mtl_path.string() + ": The texture " + in_quotes(name) +
                     " is not in the folder of the model, so it is left out."};
 }
 
@@ -94,7 +94,7 @@ const Rule* find_rule(std::string_view keyword) {
 std::string statement(std::string_view keyword, std::span<const float> values) {
     std::string text(keyword);
     for (const float value : values)
-        text += ' ' + to_text(value);
+        text += ' ' + shortest_text(value);
     return text + '\n';
 }
 
@@ -112,8 +112,8 @@ std::string renamed_statement(const Rule& rule, std::vector<float> values) {
 
 std::string complaint(const Rule& rule, std::string_view word) {
     return std::string(rule.keyword) + " " + in_quotes(word) + " is not a number between " +
-           to_text(static_cast<float>(rule.least)) + " and " +
-           to_text(static_cast<float>(rule.greatest));
+           shortest_text(static_cast<float>(rule.least)) + " and " +
+           shortest_text(static_cast<float>(rule.greatest));
 }
 
 } // namespace
@@ -136,7 +136,7 @@ MtlValues checked_mtl_values(const std::vector<std::string_view>& words) {
             return {"", complaint(rule, word) + ", so the line was left out"};
         const auto value = static_cast<float>(std::clamp(number, rule.least, rule.greatest));
         if (!is_right)
-            result.correction = complaint(rule, word) + ", so " + to_text(value) + " is used";
+            result.correction = complaint(rule, word) + ", so " + shortest_text(value) + " is used";
         values.push_back(value);
     }
     result.statement = renamed_statement(rule, values);
@@ -146,8 +146,9 @@ MtlValues checked_mtl_values(const std::vector<std::string_view>& words) {
 std::string to_mtl(const Material& material) {
     return "newmtl " + material.name + '\n' + statement("Kd", material.diffuse) +
            statement("Ks", material.specular) + statement("Ke", material.emission) +
-           statement("Tf", material.transmission) + "Ns " + to_text(material.shininess) + "\nNi " +
-           to_text(material.refractive_index) + "\nd " + to_text(material.opacity) + "\nillum " +
+           statement("Tf", material.transmission) + "Ns " + shortest_text(material.shininess) +
+           "\nNi " + shortest_text(material.refractive_index) + "\nd " +
+           shortest_text(material.opacity) + "\nillum " +
            std::to_string(material.illumination_model) + '\n';
 }
 

@@ -22,20 +22,20 @@ std::optional<std::filesystem::path> path_inside(const std::filesystem::path& in
                                                  const std::filesystem::path& from,
                                                  std::string_view name);
 
-// Where the picture that a material names stands, or a message why it is left out.
-struct MtlPicture {
+// The path of the texture that a material names, or a message why it is left out.
+struct MtlTexture {
     std::string path;
     std::string message;
 };
 
-// The name is seen from the folder of the MTL file. A picture outside the folder `inside` is left
-// out; one that is not there keeps its path, so that whoever opens it can say so.
-MtlPicture find_picture(const std::string& name, const std::filesystem::path& mtl_path,
+// The name is seen from the folder of the MTL file. A texture outside the folder `inside` is left
+// out; one that is not there keeps its path, so that opening it reports it.
+MtlTexture find_texture(const std::string& name, const std::filesystem::path& mtl_path,
                         const std::filesystem::path& inside);
 
 // The values of one MTL statement that is a number or a colour, brought into their range.
 struct MtlValues {
-    std::string statement;  // with a line end; empty where the values cannot be brought right
+    std::string statement;  // with a line end; empty where the values cannot be corrected
     std::string correction; // a sentence without its full stop; empty where nothing was wrong
 };
 
@@ -57,7 +57,7 @@ struct CleanMtl {
 // An MTL text in which every value is usable and every default is written out, since tinyobjloader
 // lets through Ni 0, d 2 and nan, makes `Kd 0.5` (a grey) red, and has other defaults than
 // Material. Reflectances and opacity are brought to between 0 and 1, exponents (Ns) to at most 1e6;
-// a line that cannot be brought right is left out. The text is empty where it holds no material.
+// a line that cannot be corrected is left out. The text is empty where it holds no material.
 CleanMtl clean_mtl(std::string_view text);
 
 inline constexpr std::uintmax_t most_mtl_bytes = std::uintmax_t{8} << 20;

@@ -1,6 +1,7 @@
 #include "scene/obj/obj_checks.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "scene/mesh.h"
 #include "scene/obj/obj_file.h"
 

@@ -21,11 +21,11 @@ std::string checked_vertex(const std::vector<std::string_view>& words, const std
 std::string checked_texture_coordinate(const std::vector<std::string_view>& words,
                                        const std::string& where);
 
-// Three components, all 0 where they give no direction: a picture can do without a normal.
+// Three components, all 0 where they give no direction: a surface can do without a normal.
 std::string checked_normal(const std::vector<std::string_view>& words);
 
-// Corners of the forms 1, 1/2, 1//3 and 1/2/3. Throws InputError where an index is no whole number,
-// 0, or beyond 32 bits.
+// Corners of the forms 1, 1/2, 1//3 and 1/2/3. Throws InputError where an index is not a whole
+// number, 0, or beyond 32 bits.
 std::string checked_face(const std::vector<std::string_view>& words, const std::string& where);
 
 // Where a corner of a triangle comes from.

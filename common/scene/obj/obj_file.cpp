@@ -1,12 +1,12 @@
 #include "scene/obj/obj_file.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "scene/obj/obj_checks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t most_kinds = 50;
 constexpr std::size_t most_lines = 5;
-constexpr std::size_t most_characters = 40;
-
-bool is_printable(char character) {
-    return character >= ' ' && character <= '~';
-}
 
 std::string listed(const std::vector<std::int64_t>& lines) {
     std::string text;
@@ -30,17 +25,31 @@ std::string listed(const std::vector<std::int64_t>& lines) {
     return text;
 }
 
+// from_chars reads no '+', which OBJ allows; but "+-1" is no number.
+std::string_view without_plus(std::string_view word) {
+    return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view spaces = " \t\v\f";
+
+bool ends_line(char character) {
+    return character == '\n' || character == '\r';
+}
+
+bool joins_next(std::string_view line) {
+    return !line.empty() && line.back() == '\\';
+}
+
+bool is_comment(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(spaces);
+    return first != std::string_view::npos && line[first] == '#';
+}
+
 } // namespace
 
 std::string place(const std::filesystem::path& path, std::int64_t line) {
     return path.string() + ":" + std::to_string(line) + ": ";
-}
-
-std::string in_quotes(std::string_view word) {
-    std::string text = "\"";
-    for (const char character : word.substr(0, most_characters))
-        text += is_printable(character) ? character : '?';
-    return text + (word.size() > most_characters ? "...\"" : "\"");
 }
 
 void ObjFindings::note(const std::string& sentence, std::int64_t line) {
@@ -68,15 +77,6 @@ std::vector<std::string> ObjFindings::sentences(const std::filesystem::path& pat
     return sentences;
 }
 
-namespace {
-
-// from_chars reads no '+', which OBJ allows; but "+-1" is no number.
-std::string_view without_plus(std::string_view word) {
-    return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
-}
-
-} // namespace
-
 std::optional<double> to_number(std::string_view word) {
     word = without_plus(word);
     double number = 0.0;
@@ -90,40 +90,8 @@ std::optional<double> to_number(std::string_view word) {
 }
 
 std::optional<std::int64_t> to_whole_number(std::string_view word) {
-    word = without_plus(word);
-    std::int64_t number = 0;
-    const char* const end = word.data() + word.size();
-    const auto [stop, failure] = std::from_chars(word.data(), end, number);
-    if (failure != std::errc{} || stop != end)
-        return std::nullopt;
-    return number;
+    return parse_number<std::int64_t>(without_plus(word));
 }
-
-std::string to_text(float number) {
-    std::array<char, 32> text{};
-    const auto [end, failure] = std::to_chars(text.data(), text.data() + text.size(), number);
-    return {text.data(), end};
-}
-
-namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::string_view spaces = " \t\v\f";
-
-bool ends_line(char character) {
-    return character == '\n' || character == '\r';
-}
-
-bool joins_next(std::string_view line) {
-    return !line.empty() && line.back() == '\\';
-}
-
-bool is_comment(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(spaces);
-    return first != std::string_view::npos && line[first] == '#';
-}
-
-} // namespace
 
 LineReader::LineReader(std::string_view text) : rest_(text) {
     if (rest_.starts_with(byte_order_mark))

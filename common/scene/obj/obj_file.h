@@ -16,10 +16,6 @@ namespace raysteps {
 // "bunny.obj:1204: ", the place that a sentence is about.
 std::string place(const std::filesystem::path& path, std::int64_t line);
 
-// A word from a file as it may stand in a sentence: in quotes, at most 40 characters, all
-// printable.
-std::string in_quotes(std::string_view word);
-
 // Collects what was corrected or dropped in a file: one sentence for each kind of finding with its
 // count and first lines, however often it was found.
 class ObjFindings {
@@ -83,15 +79,12 @@ struct ObjFile {
 // 3 * (2 * 1.8e18)^2 = 3.9e37, is still a float (at most 3.4e38).
 inline constexpr double greatest_coordinate = 1.8e18;
 
-// The number that the whole word spells, which may be infinite or no number (`inf`, `nan`);
+// The number that the whole word spells, which may be infinite or NaN (`inf`, `nan`);
 // nothing where the word spells no number. What a double cannot hold counts as infinite.
 std::optional<double> to_number(std::string_view word);
 
 // The whole number that the word spells; nothing where it spells none or one beyond 64 bits.
 std::optional<std::int64_t> to_whole_number(std::string_view word);
-
-// The shortest text that reads back to the same float.
-std::string to_text(float number);
 
 struct TextLine {
     std::int64_t number = 0; // counted from 1; of joined lines, the first
@@ -155,7 +148,7 @@ private:
     ObjFindings findings_;
 };
 
-// Takes what a parser makes of the statements, checks it once more, since parsers have faults, and
+// Takes what a parser makes of the statements, checks it once more, since parsers have bugs, and
 // puts it together to an ObjFile. Indices come as the file counts them: from 1, or back from the
 // newest with negative numbers, and 0 where none is given. Throws InputError with file and line.
 class ObjReading {

@@ -70,7 +70,7 @@ bool PolygonStrips::any_in_box(const glm::dvec2& lower, const glm::dvec2& upper,
 // so that it ends.
 std::vector<std::array<int, 3>> cut_ears(std::span<const glm::dvec2> points);
 
-// Corners of a polygon, by their place in it.
+// Corners of a polygon, by their index in it.
 using PolygonTriangle = std::array<int, 3>;
 
 // Cuts a polygon of n corners in space into at most n - 2 triangles with an area, which turn as it

@@ -22,7 +22,7 @@ Scene sample_bunny() {
                          " is not there. Install the package glmark2-data.");
     }
     Scene scene = load_obj(path);
-    // It is known by its name, like the other samples, and so is what its file lacks.
+    // Like the other samples it goes by its name, and nothing is said about what its file lacks.
     scene.models.clear();
     scene.messages.clear();
     return scene;
@@ -56,7 +56,7 @@ Scene sample_glass_bunny() {
     scene.lights = {{{-4.0f, 7.0f, 5.0f}, {0.85f, 0.82f, 0.76f}},
                     {{6.0f, 4.0f, 3.0f}, {0.22f, 0.24f, 0.30f}}};
     scene.camera = {{0.6f, 1.9f, 5.4f}, {0.0f, 0.95f, 0.0f}, {0.0f, 1.0f, 0.0f}, 32.0f};
-    scene.camera.samples = 4; // the scan is rough: one ray a pixel shows its noise
+    scene.camera.samples = 4; // the scan is rough: one ray per pixel shows its noise
     scene.sky = Sky{{0.18f, 0.32f, 0.62f}, {0.72f, 0.78f, 0.82f}, {0.30f, 0.28f, 0.25f}};
     return scene;
 }

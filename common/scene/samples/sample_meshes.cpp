@@ -197,8 +197,7 @@ Material material_of(int level) {
     const std::vector<glm::vec3> colors = {{0.60f, 0.30f, 0.10f}, {0.65f, 0.45f, 0.10f},
                                            {0.45f, 0.50f, 0.15f}, {0.15f, 0.45f, 0.45f},
                                            {0.15f, 0.25f, 0.55f}, {0.45f, 0.20f, 0.50f}};
-    return mirror("level " + std::to_string(level), colors[static_cast<std::size_t>(level)],
-                  glm::vec3(0.25f));
+    return mirror("level " + std::to_string(level), colors[level], glm::vec3(0.25f));
 }
 
 int divisions_of(int level) {
@@ -279,7 +278,7 @@ Scene sample_needles(int count, int seed) {
     RandomNumbers random(seed);
     std::array<Mesh, 2> meshes;
     for (int i = 0; i < count; ++i) {
-        Mesh& mesh = meshes[static_cast<std::size_t>(random.below(2))];
+        Mesh& mesh = meshes[random.below(2)];
         mesh = join(std::move(mesh), random_needle(random));
     }
     Scene scene = add_mesh({}, meshes[0], matte("pine", {0.15f, 0.45f, 0.20f}));
@@ -318,7 +317,7 @@ Scene sample_soup(int count, int seed) {
     const float size = triangle_size(count);
     std::array<Mesh, 4> meshes;
     for (int i = 0; i < count; ++i) {
-        Mesh& mesh = meshes[static_cast<std::size_t>(random.below(4))];
+        Mesh& mesh = meshes[random.below(4)];
         mesh = join(std::move(mesh), random_triangle(random, size));
     }
     Scene scene;

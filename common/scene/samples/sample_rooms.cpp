@@ -184,10 +184,12 @@ Scene sample_room() {
                      quad({-0.4f, room_lamp_height, -0.5f}, {0.4f, room_lamp_height, -0.5f},
                           {0.4f, room_lamp_height, 0.3f}, {-0.4f, room_lamp_height, 0.3f}),
                      glowing("lamp", {1.0f, 0.93f, 0.80f}));
-    scene.lights = {
-        {{0.0f, room_lamp_height, -0.1f}, {0.72f, 0.66f, 0.56f}, {0.8f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.8f}},
-        {{-9.0f, 6.0f, 2.0f}, {0.55f, 0.52f, 0.46f}},
-        {{0.4f, 1.7f, 2.9f}, glm::vec3(0.14f)}};
+    scene.lights = {{{0.0f, room_lamp_height, -0.1f},
+                     {0.72f, 0.66f, 0.56f},
+                     {0.8f, 0.0f, 0.0f},
+                     {0.0f, 0.0f, 0.8f}},
+                    {{-9.0f, 6.0f, 2.0f}, {0.55f, 0.52f, 0.46f}},
+                    {{0.4f, 1.7f, 2.9f}, glm::vec3(0.14f)}};
     scene.camera = {{0.5f, 1.55f, 3.6f}, {0.1f, 1.1f, -0.5f}, {0.0f, 1.0f, 0.0f}, 46.0f};
     scene.camera.samples = 16;
     scene.sky = Sky{{0.25f, 0.45f, 0.80f}, {0.80f, 0.86f, 0.92f}, {0.25f, 0.32f, 0.18f}};
@@ -234,10 +236,11 @@ Scene sample_glass_box() {
                      matte("red", {0.55f, 0.07f, 0.06f}));
     scene = add_mesh(std::move(scene), quad({1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1}),
                      matte("green", {0.09f, 0.42f, 0.10f}));
-    scene = add_mesh(std::move(scene),
-                     quad({-0.25f, glass_box_lamp_height, -0.3f}, {0.25f, glass_box_lamp_height, -0.3f},
-                          {0.25f, glass_box_lamp_height, 0.2f}, {-0.25f, glass_box_lamp_height, 0.2f}),
-                     glowing("lamp", {1.0f, 0.96f, 0.88f}));
+    scene =
+        add_mesh(std::move(scene),
+                 quad({-0.25f, glass_box_lamp_height, -0.3f}, {0.25f, glass_box_lamp_height, -0.3f},
+                      {0.25f, glass_box_lamp_height, 0.2f}, {-0.25f, glass_box_lamp_height, 0.2f}),
+                 glowing("lamp", {1.0f, 0.96f, 0.88f}));
     scene = add_mesh(std::move(scene), sphere({-0.42f, 0.4f, -0.42f}, 0.38f, 14),
                      mirror("silver", glm::vec3(0.02f), {0.93f, 0.94f, 0.95f}));
     scene = add_mesh(std::move(scene), sphere({0.42f, 0.38f, 0.2f}, 0.36f, 14),
@@ -388,7 +391,7 @@ Scene map_around(Scene scene, int first, const glm::vec3& center) {
     for (auto a = 3 * static_cast<std::size_t>(first); a < scene.corners.size(); a += 3) {
         for (std::size_t corner = a; corner < a + 3; ++corner) {
             glm::vec2 place = round_coordinate(glm::normalize(scene.corners[corner] - center));
-            // A triangle over the seam goes on beyond the picture's edge, not back through it all.
+            // A triangle over the seam goes on beyond the texture's edge, not back through it all.
             if (corner > a) {
                 place.x += std::round(scene.texture_coordinates[a].x - place.x);
             }

@@ -3,10 +3,8 @@
 #include "basics/error.h"
 #include "basics/text.h"
 #include "scene/frame_scene.h"
-#include "scene/obj/obj_checks.h"
 #include "scene/samples/samples.h"
 
-#include <charconv>
 #include <limits>
 #include <system_error>
 
@@ -91,7 +89,7 @@ const std::vector<SampleScene>& sample_scenes() {
          {},
          SampleView::its_own,
          [](const Values&) { return sample_pictures(); },
-         "a globe, a box, bricks and wood: surfaces with pictures"},
+         "a globe, a box, bricks and wood: surfaces with textures"},
         {"soft_light",
          {},
          SampleView::its_own,
@@ -149,16 +147,13 @@ std::string range_of(const SampleParameter& parameter) {
 
 int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
                    std::string_view text) {
-    int value = 0;
-    const char* end = text.data() + text.size();
-    const std::from_chars_result result = std::from_chars(text.data(), end, value);
-    const bool is_number = result.ec == std::errc() && result.ptr == end;
-    if (!is_number || value < parameter.lowest || value > parameter.highest) {
+    const auto value = parse_number<int>(text);
+    if (!value || *value < parameter.lowest || *value > parameter.highest) {
         throw InputError(pattern_of(sample) + ": " + std::string(parameter.name) +
                          " is a whole number from " + range_of(parameter) + ", not " +
                          in_quotes(text) + ".");
     }
-    return value;
+    return *value;
 }
 
 [[noreturn]] void refuse_name(std::string_view name) {
@@ -166,10 +161,9 @@ int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
     for (const SampleScene& sample : sample_scenes()) {
         names.push_back(sample.name);
     }
-    const std::string nearest(nearest_word(name, names));
-    const std::string hint = nearest.empty() ? "" : "Did you mean " + nearest + "? ";
-    throw InputError("There is no scene " + in_quotes(name) + ". " + hint +
-                     "Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
+    throw InputError(
+        "There is no scene " + in_quotes(name) + "." + did_you_mean(name, names) +
+        " Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
 }
 
 } // namespace

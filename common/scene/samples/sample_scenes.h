@@ -38,7 +38,8 @@ bool is_sample_name(std::string_view name);
 
 // The scene of a name such as `soup:1000:7`; parameters that are not given have their usual values.
 // The scene's name names them all. The aspect ratio is width / height, over 0.
-// Throws InputError for an unknown name, and for a parameter that is no whole number in its range.
+// Throws InputError for an unknown name, and for a parameter that is not a whole number in its
+// range.
 Scene make_sample_scene(std::string_view name, float aspect_ratio);
 
 } // namespace raysteps

@@ -50,10 +50,10 @@ inline Material glossy(const std::string& name, const glm::vec3& diffuse, float 
     return material;
 }
 
-// A matte surface with a picture, which may be one made by code: `made:bricks`.
-inline Material painted(const std::string& name, const std::string& picture) {
+// A matte surface with a texture, which may be one made by code: `made:bricks`.
+inline Material painted(const std::string& name, const std::string& texture) {
     Material material = matte(name, glm::vec3(1.0f));
-    material.diffuse_map = picture;
+    material.diffuse_map = texture;
     return material;
 }
 
@@ -68,12 +68,12 @@ inline Material glowing(const std::string& name, const glm::vec3& emission) {
 // "mount" of Haines, "A proposal for standard graphics environments", 1987, with mirrors for glass.
 Scene sample_mount(int depth);
 
-// The scene with texture coordinates for its triangles from `first` on, as if the picture, `size`
+// The scene with texture coordinates for its triangles from `first` on, as if the texture, `size`
 // wide and high, were laid on each from the axis that its plane faces most.
 Scene map_flat(Scene scene, int first, float size);
 
 // The scene with texture coordinates for its triangles from `first` on, as longitude and latitude
-// around the center: the whole picture once around, its upper edge at the pole +y.
+// around the center: the whole texture once around, its upper edge at the pole +y.
 Scene map_around(Scene scene, int first, const glm::vec3& center);
 
 // The Stanford bunny (Turk and Levoy, 1994) from Debian's package glmark2-data. The camera and the
@@ -115,7 +115,7 @@ Scene sample_mirrors();
 // every machine. The camera and the lights are left to be placed.
 Scene sample_needles(int count, int seed);
 
-// A globe, a box and a floor with pictures on them (made by code), before a wall of bricks.
+// A globe, a box and a floor with textures on them (made by code), before a wall of bricks.
 Scene sample_pictures();
 
 // An interior that calls for every effect but the lens: a table with glass on it before a wall of

@@ -27,8 +27,8 @@ Mesh closed_tube(const std::vector<TubeSection>& sections, double radius, int si
     Mesh mesh;
     const auto add_corner = [&](int ring, int side) {
         const int index = ring % rings * sides + side % sides;
-        mesh.corners.push_back(points.corners[static_cast<std::size_t>(index)]);
-        mesh.normals.push_back(points.normals[static_cast<std::size_t>(index)]);
+        mesh.corners.push_back(points.corners[index]);
+        mesh.normals.push_back(points.normals[index]);
     };
     for (int ring = 0; ring < rings; ++ring) {
         for (int side = 0; side < sides; ++side) {
@@ -77,7 +77,7 @@ TubeSection knot_section(double turn) {
 Mesh torus_knot(int size) {
     const int section_count = 128 * size;
     std::vector<TubeSection> sections;
-    sections.reserve(static_cast<std::size_t>(section_count));
+    sections.reserve(section_count);
     for (int i = 0; i < section_count; ++i) {
         sections.push_back(knot_section(static_cast<double>(i) / section_count));
     }

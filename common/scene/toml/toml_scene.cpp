@@ -1,8 +1,8 @@
+#include "basics/text.h"
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
 #include "scene/load_scene.h"
 #include "scene/obj/load_obj.h"
-#include "scene/obj/obj_checks.h"
 #include "scene/obj/obj_file.h"
 #include "scene/samples/sample_scenes.h"
 #include "scene/toml/toml_values.h"
@@ -297,7 +297,7 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
     }
     if (path.extension() != ".obj" && path.extension() != ".OBJ") {
         throw toml_error(path_node->source(),
-                         in_quotes(given) + " is no OBJ file. Name a file that ends in .obj.");
+                         in_quotes(given) + " is not an OBJ file. Name a file that ends in .obj.");
     }
     const glm::mat4 transform = toml_transform(table);
     Scene model = load_obj(path);

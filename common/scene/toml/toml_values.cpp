@@ -1,7 +1,6 @@
 #include "scene/toml/toml_values.h"
 
 #include "basics/text.h"
-#include "scene/obj/obj_checks.h"
 
 #include <algorithm>
 #include <charconv>
@@ -76,22 +75,15 @@ InputError toml_error(const toml::source_region& source, const std::string& sent
     return InputError(place + ": " + sentence);
 }
 
-void check_toml_keys(const toml::table& table, std::string_view place,
+void check_toml_keys(const toml::table& table, std::string_view table_name,
                      const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) {
             continue;
         }
-        std::string names;
-        for (const std::string_view name : known) {
-            names += names.empty() ? "" : ", ";
-            names += name;
-        }
-        const std::string nearest(nearest_word(key.str(), known));
-        std::string sentence = std::string(place) + " has no key " + in_quotes(key.str()) + ".";
-        sentence += nearest.empty() ? "" : " Did you mean " + nearest + "?";
-        sentence += " It takes " + names + ".";
-        throw toml_error(key.source(), sentence);
+        throw toml_error(key.source(),
+                         std::string(table_name) + " has no key " + in_quotes(key.str()) + "." +
+                             did_you_mean(key.str(), known) + " It takes " + listed(known) + ".");
     }
 }
 

@@ -19,7 +19,7 @@ std::string toml_string_text(std::string_view text);
 
 // The values of a TOML file, checked. All of these throw InputError with file, line and column.
 
-// An error of which the text was read at this place.
+// An error about the text at this place.
 InputError toml_error(const toml::source_region& source, const std::string& sentence);
 
 // The numbers that a key takes, both ends included.
@@ -28,8 +28,8 @@ struct TomlRange {
     double highest = 0.0;
 };
 
-// Refuses a key that is not among the known ones. The place is the table's name in sentences.
-void check_toml_keys(const toml::table& table, std::string_view place,
+// Refuses a key that is not among the known ones.
+void check_toml_keys(const toml::table& table, std::string_view table_name,
                      const std::vector<std::string_view>& known);
 
 const toml::table& toml_table(const toml::node& node, std::string_view key);

@@ -7,6 +7,7 @@
 #include "08_accuracy/verdict.h"
 #include "catch.h"
 #include "gpu/context.h"
+#include "hard_cases/aimed_rays.h"
 #include "reference/exact.h"
 
 #include <map>
@@ -14,8 +15,6 @@
 using namespace raysteps;
 
 namespace {
-
-constexpr float no_end = std::numeric_limits<float>::max();
 
 Effort little_effort() {
     Effort effort;

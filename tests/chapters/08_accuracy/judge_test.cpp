@@ -3,17 +3,16 @@
 #include "08_accuracy/fault_rate.h"
 #include "08_accuracy/judge_picture.h"
 #include "08_accuracy/similarity.h"
-#include "catch.h"
-#include "reference/exact.h"
 #include "basics/random_numbers.h"
+#include "catch.h"
+#include "hard_cases/aimed_rays.h"
+#include "reference/exact.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"
 
 using namespace raysteps;
 
 namespace {
-
-constexpr float no_end = std::numeric_limits<float>::max();
 
 Hit hit_of(const ReferenceHit& truth) {
     return {static_cast<float>(truth.t), static_cast<float>(truth.u), static_cast<float>(truth.v),

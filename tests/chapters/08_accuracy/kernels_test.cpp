@@ -1,4 +1,3 @@
-#include "08_accuracy/aimed_rays.h"
 #include "08_accuracy/judge_hits.h"
 #include "08_accuracy/subject.h"
 #include "08_accuracy/triangle_knob.h"
@@ -48,7 +47,7 @@ std::map<std::string, std::size_t> faults_on(const std::shared_ptr<const Subject
                                              const std::string& family_name, int seed) {
     const std::span<const glm::vec3> corners = subject->scene.corners;
     std::map<std::string, std::size_t> faults;
-    for (const AimedFamily& family : aim_at(corners, ray_count, seed)) {
+    for (const RayFamily& family : families_from_inside(corners, ray_count, seed)) {
         if (family.name == family_name) {
             const std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, corners);
             for (const TriangleMethod& method : triangle_methods()) {
@@ -89,16 +88,16 @@ TEST_CASE("new triangle tests give the same bits in GLSL and in C++", "[08][tria
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
     const auto subject = usual_subject();
-    for (const AimedFamily& family : aim_at(subject->scene.corners, ray_count, seed)) {
+    for (const RayFamily& family : families_from_inside(subject->scene.corners, ray_count, seed)) {
         CAPTURE(family.name);
         const std::vector<Hit> pluecker =
             hits_with(*subject, {{"triangle", "triangle/pluecker.glsl"}}, family.rays);
-        CHECK(count_unlike_mirror<mirror::triangle_tests::pluecker<float>>(subject->scene, family.rays,
-                                                                        pluecker) == 0);
-        const std::vector<Hit> fallback = hits_with(
-            *subject, {{"triangle", "triangle/watertight_fallback.glsl"}}, family.rays);
-        CHECK(count_unlike_mirror<mirror::triangle_tests::watertight_fallback<float>>(subject->scene, family.rays,
-                                                                        fallback) == 0);
+        CHECK(count_unlike_mirror<mirror::triangle_tests::pluecker<float>>(
+                  subject->scene, family.rays, pluecker) == 0);
+        const std::vector<Hit> fallback =
+            hits_with(*subject, {{"triangle", "triangle/watertight_fallback.glsl"}}, family.rays);
+        CHECK(count_unlike_mirror<mirror::triangle_tests::watertight_fallback<float>>(
+                  subject->scene, family.rays, fallback) == 0);
     }
 }
 
@@ -149,8 +148,9 @@ TEST_CASE("a kernel in double gives the float nearest to the true t", "[08][prec
     CAPTURE(seed);
     const auto context = make_context(ContextKind::automatic);
     const auto subject = usual_subject();
-    const std::vector<AimedFamily> families = aim_at(subject->scene.corners, ray_count, seed);
-    const AimedFamily& family = families.at(1);
+    const std::vector<RayFamily> families =
+        families_from_inside(subject->scene.corners, ray_count, seed);
+    const RayFamily& family = families.at(1);
     REQUIRE(family.name == "inside");
     const std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, subject->scene.corners);
     const Parts parts{{"triangle", "triangle/watertight_rounded.glsl"},

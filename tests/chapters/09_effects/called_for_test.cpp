@@ -108,7 +108,7 @@ TEST_CASE("effects can be forced on and off and take what rests on them along", 
     CHECK(!has(plan, Effect::absorption));
     CHECK(has(plan, Effect::textures));
     CHECK_THAT(error_of([&] { make_plan(scene, 1.0, "+fog", {}); }),
-               contains_text("There is no effect \"fog\". Take one of antialiasing"));
+               contains_text("--effects fog: there is no such effect. Take one of antialiasing"));
     CHECK_THAT(error_of([&] { make_plan(scene, 1.0, "fog", {}); }), contains_text("write +"));
 }
 

@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "effect_pictures.h"
-#include "render/effects/effect_buffers.h"
 #include "image/image_file.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
+#include "render/effects/effect_buffers.h"
 #include "support/error_of.h"
 #include "support/scratch_folder.h"
 
@@ -46,12 +46,12 @@ Scene painted_wall(const std::string& picture, float repeats) {
 
 } // namespace
 
-TEST_CASE("a pyramid of a picture keeps its mean and ends with one texel", "[09][textures]") {
+TEST_CASE("a mipmap keeps the mean of its image and ends with one texel", "[09][textures]") {
     Image picture(8, 4);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         picture.pixels[i] = glm::vec3(static_cast<float>(i));
     }
-    const std::vector<Image> levels = picture_pyramid(picture);
+    const std::vector<Image> levels = mipmap_of(picture);
     REQUIRE(levels.size() == 4);
     CHECK(levels[1].width == 4);
     CHECK(levels[1].height == 2);
@@ -59,7 +59,7 @@ TEST_CASE("a pyramid of a picture keeps its mean and ends with one texel", "[09]
     CHECK(levels[2].height == 1);
     CHECK(levels[3].pixels.size() == 1);
     CHECK(levels[3].at(0, 0).x == 15.5f);
-    CHECK(picture_pyramid(Image(5, 3)).size() == 3);
+    CHECK(mipmap_of(Image(5, 3)).size() == 3);
 }
 
 TEST_CASE("between texels colours mix and at their centres they are alone", "[09][textures]") {
@@ -78,7 +78,7 @@ TEST_CASE("between texels colours mix and at their centres they are alone", "[09
     CHECK(grey(-99.0, 0.25, 0.75) == Approx(0.1f));
 }
 
-TEST_CASE("a surface shows its picture upright", "[09][textures]") {
+TEST_CASE("a surface shows its texture upright", "[09][textures]") {
     const auto context = make_context(ContextKind::automatic);
     const ScratchFolder folder("09_pictures");
     Image picture(2, 2);
@@ -100,12 +100,12 @@ TEST_CASE("a surface shows its picture upright", "[09][textures]") {
     CHECK(effect_picture(scene, 1, "-textures").image.at(0, 0).x == Approx(1.0f).epsilon(1e-4));
 }
 
-TEST_CASE("far away a picture shows its mean and no noise", "[09][textures]") {
+TEST_CASE("far away a texture shows its mean and no noise", "[09][textures]") {
     const auto context = make_context(ContextKind::automatic);
     // 64 checkers of 8 by 8 squares across the wall: many squares a pixel.
     const Image image = effect_picture(painted_wall("made:checker", 64.0f), 16).image;
     double mean = 0.0;
-    const Image checker = made_picture("made:checker");
+    const Image checker = made_texture("made:checker");
     for (const glm::vec3& pixel : checker.pixels) {
         mean += static_cast<double>(pixel.x) / static_cast<double>(checker.pixels.size());
     }
@@ -114,14 +114,14 @@ TEST_CASE("far away a picture shows its mean and no noise", "[09][textures]") {
     }
 }
 
-TEST_CASE("a picture that is missing is named and its material shows its colour",
+TEST_CASE("a texture that is missing is named and its material shows its colour",
           "[09][textures]") {
     const Scene scene = painted_wall("nowhere/picture.png", 1.0f);
-    const ScenePictures pictures = load_pictures(scene);
+    const LoadedTextures pictures = load_textures(scene);
     REQUIRE(pictures.messages.size() == 1);
-    CHECK_THAT(pictures.messages[0], contains_text("Material painted: its picture is left out."));
-    CHECK(pictures.number_of_material == std::vector<int>{-1});
-    CHECK_THAT(error_of([] { made_picture("made:fog"); }), contains_text("made:checker"));
+    CHECK_THAT(pictures.messages[0], contains_text("Material painted: its texture is left out."));
+    CHECK(pictures.index_of_material == std::vector<int>{-1});
+    CHECK_THAT(error_of([] { made_texture("made:fog"); }), contains_text("made:checker"));
     const auto context = make_context(ContextKind::automatic);
     CHECK(effect_picture(scene, 1).image.at(0, 0).x == Approx(1.0f).epsilon(1e-4));
 }

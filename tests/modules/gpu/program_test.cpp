@@ -18,8 +18,8 @@ TEST_CASE("a fault in a vertex pass is named with pass and line", "[gpu][program
         Program("pass/rays/interpolate_rays.frag", {{"real", "core/vector.glsl"}});
     });
     CAPTURE(sentence);
-    CHECK_THAT(sentence,
-               starts_with_text("The shader pass/rays/interpolate_rays.vert does not compile. Mend"));
+    CHECK_THAT(sentence, starts_with_text(
+                             "The shader pass/rays/interpolate_rays.vert does not compile. Fix"));
     CHECK_THAT(sentence, contains_text("core/vector.glsl:4:"));
 }
 

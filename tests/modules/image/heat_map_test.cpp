@@ -98,8 +98,7 @@ TEST_CASE("a legend says what the colors cannot", "[image]") {
     const float infinity = std::numeric_limits<float>::infinity();
     const std::vector<float> values{-infinity, 0.0f,     8.0f,
                                     9.0f,      infinity, std::numeric_limits<float>::quiet_NaN()};
-    CHECK(legend_note(values, range) ==
-          "1 under the range, 2 over the range, 1 not a number (magenta)");
+    CHECK(legend_note(values, range) == "1 under the range, 2 over the range, 1 NaN (magenta)");
     CHECK(legend_note(std::vector<float>{0.0f, 8.0f}, range).empty());
 }
 

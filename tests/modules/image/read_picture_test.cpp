@@ -53,10 +53,10 @@ TEST_CASE("the content says what a picture is and not its name", "[image][pictur
     CHECK(read_picture(folder / "texture.png").width == 16);
 }
 
-TEST_CASE("what is no picture is refused with the kinds that can be read", "[image][picture]") {
-    const ScratchFolder folder("no_picture");
+TEST_CASE("what is not a picture is refused with the kinds that can be read", "[image][picture]") {
+    const ScratchFolder folder("no_texture");
     put_bytes(folder / "texture.tga", "this is a text");
     const std::string error = error_of([&] { read_picture(folder / "texture.tga"); });
-    CHECK(error.find("texture.tga: is no picture that can be read, PNG, JPEG or BMP") !=
+    CHECK(error.find("texture.tga: is not a PNG, JPEG or BMP picture that can be read") !=
           std::string::npos);
 }

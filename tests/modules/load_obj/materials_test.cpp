@@ -52,7 +52,7 @@ TEST_CASE("values that no material can have are corrected with file and line", "
          "bad_values.mtl:9: In material \"bad\", Ke \"\" is not a number",
          "bad_values.mtl:10: In material \"bad\", Tf \"spectral\" is not a number",
          "bad_values.mtl:11: MTL has no statement \"Kx\"",
-         "bad_values.mtl: The picture \"../../secret.png\" is not in the folder of the model",
+         "bad_values.mtl: The texture \"../../secret.png\" is not in the folder of the model",
          "bad_values.mtl:13: newmtl gives no name",
          "bad_values.mtl:14: In material \"default\", Tr \"-1\" is not a number",
          "bad_values.mtl:15: Material \"bad\" is made twice, so the first one is used."})

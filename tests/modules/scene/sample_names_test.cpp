@@ -1,7 +1,7 @@
-#include "catch.h"
 #include "basics/error.h"
-#include "scene/load_scene.h"
 #include "basics/text.h"
+#include "catch.h"
+#include "scene/load_scene.h"
 
 #include <string>
 
@@ -59,7 +59,7 @@ TEST_CASE("an unknown name is refused with the nearest known one", "[scene]") {
 TEST_CASE("a file of another kind is refused", "[scene]") {
     const std::string path = std::string(RAYSTEPS_TEST_DIR) + "/CMakeLists.txt";
     REQUIRE(complaint_about(path) ==
-            path + ": this is no scene file. Give a file that ends in .obj or .toml.");
+            path + ": this is not a scene file. Give a file that ends in .obj or .toml.");
     const std::string folder = RAYSTEPS_TEST_DIR;
     REQUIRE(complaint_about(folder) ==
             folder + ": this is a folder. Give a file that ends in .obj or .toml.");

@@ -1,7 +1,7 @@
 #include "reference/embree/embree.h"
 
-#include "reference/embree/there/embree_calls.h"
 #include "basics/error.h"
+#include "reference/embree/there/embree_calls.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@ namespace raysteps {
 
 namespace {
 
-constexpr std::size_t rays_a_part = 1024; // that a thread takes at once: a multiple of a packet
+constexpr std::size_t rays_per_part = 1024; // that a thread takes at once: a multiple of a packet
 
 RTCRay embree_ray(const Ray& ray) {
     RTCRay query{};
@@ -102,19 +102,18 @@ template <class Answer, class One, class Packet>
 std::vector<Answer> answers_of(std::span<const Ray> rays, EmbreeCall call, unsigned threads,
                                const One& one, const Packet& packet) {
     std::vector<Answer> answers(rays.size());
-    in_parts(threads, rays.size(), rays_a_part, [&](std::size_t begin, std::size_t end) {
-        alignas(64) std::array<Answer, rays_a_part> own;
+    in_parts(threads, rays.size(), rays_per_part, [&](std::size_t begin, std::size_t end) {
+        alignas(64) std::array<Answer, rays_per_part> own;
         const std::span<const Ray> part = rays.subspan(begin, end - begin);
         if (call == EmbreeCall::one_by_one) {
             std::transform(part.begin(), part.end(), own.begin(), one);
         } else {
             for (std::size_t i = 0; i < part.size(); i += packet_size) {
                 const std::size_t count = std::min(packet_size, part.size() - i);
-                std::copy_n(packet(part.subspan(i, count)).begin(), count,
-                            own.begin() + static_cast<std::ptrdiff_t>(i));
+                std::copy_n(packet(part.subspan(i, count)).begin(), count, own.begin() + i);
             }
         }
-        std::copy_n(own.begin(), part.size(), answers.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::copy_n(own.begin(), part.size(), answers.begin() + begin);
     });
     return answers;
 }
