@@ -8,18 +8,32 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace raysteps {
 
-std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
+namespace {
+
+// Those of the environment variable RAYSTEPS_SHADERS, which come first.
+std::vector<std::filesystem::path> folders_of_environment() {
     const char* named = std::getenv("RAYSTEPS_SHADERS"); // NOLINT(concurrency-mt-unsafe)
-    std::istringstream folders(named == nullptr ? "" : named);
-    std::string first;
-    while (std::getline(folders, first, ':')) {
-        const std::filesystem::path path = std::filesystem::path(first) / file;
-        if (!first.empty() && std::filesystem::is_regular_file(path)) {
-            return path;
+    std::istringstream words(named == nullptr ? "" : named);
+    std::vector<std::filesystem::path> folders;
+    for (std::string word; std::getline(words, word, ':');) {
+        if (!word.empty()) {
+            folders.emplace_back(word);
+        }
+    }
+    return folders;
+}
+
+} // namespace
+
+std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
+    for (const std::filesystem::path& first : folders_of_environment()) {
+        if (std::filesystem::is_regular_file(first / file)) {
+            return first / file;
         }
     }
     return folder / file;
@@ -138,17 +152,20 @@ std::string name_files(const std::string& messages, const std::vector<std::strin
 
 namespace {
 
+// The files of that extension in the shader folder and in those of the environment, each once.
 std::vector<std::filesystem::path> list_files(const std::string& extension) {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(shader_folder(), error)) {
-        if (entry.path().extension() == extension) {
-            files.push_back(std::filesystem::relative(entry.path(), shader_folder()));
+    std::vector<std::filesystem::path> folders = folders_of_environment();
+    folders.push_back(shader_folder());
+    std::set<std::filesystem::path> files;
+    for (const std::filesystem::path& folder : folders) {
+        std::error_code error;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+            if (entry.path().extension() == extension) {
+                files.insert(std::filesystem::relative(entry.path(), folder));
+            }
         }
     }
-    std::sort(files.begin(), files.end());
-    return files;
+    return {files.begin(), files.end()};
 }
 
 // What a part defines that fills a slot whose folder also holds what several parts share.

@@ -1,5 +1,9 @@
 #include "structure/padding.h"
 
+#include "basics/error.h"
+
+#include <fmt/format.h>
+
 #include "basics/box.h"
 
 #include <algorithm>
@@ -78,6 +82,18 @@ float reach_of(std::span<const Ray> rays, std::span<const glm::vec3> corners) {
         origins = merge(origins, ray.origin);
     }
     return reach_of(origins, bounds_of(corners));
+}
+
+void check_corners(std::span<const glm::vec3> corners, float greatest) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(std::abs(corners[i][axis]) <= greatest)) { // NaN is not
+                throw InputError(fmt::format("Triangle {} has a corner that is not finite or lies "
+                                             "beyond {:.3g}. Fix the model.",
+                                             i / 3, greatest));
+            }
+        }
+    }
 }
 
 } // namespace raysteps

@@ -239,7 +239,7 @@ void check_options(const BvhOptions& options) {
     }
 }
 
-void check_corners(std::span<const glm::vec3> corners, const BvhOptions& options) {
+void check_size(std::span<const glm::vec3> corners, const BvhOptions& options) {
     const std::size_t triangles = corners.size() / 3;
     if (triangles > most_triangles) {
         throw InputError("A BVH takes at most " + std::to_string(most_triangles) +
@@ -251,15 +251,6 @@ void check_corners(std::span<const glm::vec3> corners, const BvhOptions& options
                          std::to_string((triangles * most_bytes_a_triangle >> 20) + 1) +
                          " MiB, and it may take " + std::to_string(options.memory_limit >> 20) +
                          ". Raise --memory-limit, or take a smaller scene.");
-    }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(std::abs(corners[i][axis]) <= greatest_coordinate)) { // nor if not a number
-                throw InputError("Triangle " + std::to_string(i / 3) +
-                                 " has a corner that is not finite or beyond 1e37. Mend the "
-                                 "model.");
-            }
-        }
     }
 }
 
@@ -300,7 +291,8 @@ Bvh build_by_split(std::vector<BvhItem> items, const BvhOptions& options) {
 
 Bvh build_bvh(std::span<const glm::vec3> corners, const BvhOptions& options) {
     check_options(options);
-    check_corners(corners, options);
+    check_size(corners, options);
+    check_corners(corners, greatest_coordinate);
     const double padding = padding_for(usual_reach(bounds_of(corners), options.reach));
     Bvh bvh = build_by_split(items_of(corners, padding), options);
     bvh.padding = padding;

@@ -1,6 +1,7 @@
 #include "structure/grid/build_grid.h"
 
 #include "basics/error.h"
+#include "structure/padding.h"
 #include "basics/threads.h"
 #include "structure/grid/grid_overlap.h"
 
@@ -101,13 +102,7 @@ void check_input(std::span<const glm::vec3> corners, const GridOptions& options)
                          " triangles, and a grid can refer to 67108864 (2^26). Take another "
                          "--structure, or a smaller scene.");
     }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (!(std::isfinite(corners[i].x) && std::isfinite(corners[i].y) &&
-              std::isfinite(corners[i].z))) {
-            throw InputError("triangle " + std::to_string(i / 3) +
-                             " has a corner that is not finite. Check the scene.");
-        }
-    }
+    check_corners(corners, std::numeric_limits<float>::max());
 }
 
 // Throws where so many cells with so many references take too much.
@@ -116,7 +111,7 @@ void check_memory(std::int64_t cells, std::int64_t references, const GridOptions
     const std::string numbers = "a grid of " + std::to_string(cells) + " cells and " +
                                 std::to_string(references) + " references or more";
     if (cells >= most_numbers || references > most_numbers) {
-        throw InputError(numbers + " cannot be numbered. Take a smaller " + coarser + ".");
+        throw InputError(numbers + " is too large for 32-bit indices. Take a smaller " + coarser + ".");
     }
     if (bytes_each * (cells + 1 + references) > options.memory_limit) {
         throw InputError(numbers + " takes over " +

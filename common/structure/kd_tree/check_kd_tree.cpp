@@ -175,7 +175,7 @@ KdFaults faults_of_ropes(const KdTree& tree) {
 
 namespace {
 
-// The part of the padding that a ray can need: 25 of 32 (see structure/padding.h).
+// The part of the padding that a ray can need: 25 e M of 32 e M (see structure/padding.h).
 constexpr double part_needed = 25.0 / 32.0;
 
 bool holds(const ExactBox& box, const glm::vec3& corner) {

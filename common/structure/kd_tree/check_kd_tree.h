@@ -24,9 +24,9 @@ KdFaults missing_references(const KdTree& tree, std::span<const glm::vec3> corne
 // - every node is the child of the one that it calls its parent, and is reached once;
 // - children share their parent's box at the split, and are no thinner than 8 paddings;
 // - leaves have all references among them, each leaf in ascending order, and no other node has any;
-// - a triangle is listed wherever a ray can need it: where it meets a leaf's box grown by 27/32 of
-//   the padding, which is what structure/padding.h proves, less the room for the builder's
-//   rounding;
+// - a triangle is listed wherever a ray can need it: where it meets a leaf's box grown by 25/32 of
+//   the padding, which is what structure/padding.h proves (the rest is room for the builder's
+//   rounding);
 // - a rope leads to the smallest node that holds the whole face behind it, or is missing at the
 //   sides of the root.
 std::vector<std::string> check_kd_tree(const KdTree& tree, std::span<const glm::vec3> corners);

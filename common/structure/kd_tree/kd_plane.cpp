@@ -36,8 +36,8 @@ struct AxisCosts {
                               upper_area * static_cast<double>(upper_count)) /
                              whole;
         const double cost = options.traversal_cost + options.intersection_cost * tests;
-        const bool cuts_off_nothing = lower_count == 0 || upper_count == 0;
-        return cuts_off_nothing ? (1.0 - options.empty_bonus) * cost : cost;
+        const bool cuts_off_empty = lower_count == 0 || upper_count == 0;
+        return cuts_off_empty ? (1.0 - options.empty_bonus) * cost : cost;
         //# stub: static_cast<void>(lower_count + upper_count);
         //# stub: return lower_area + upper_area + whole;
         //# end
@@ -82,11 +82,6 @@ KdPlane cheapest_on_axis(const KdEvents& events, const Box& box, int axis, doubl
 }
 
 } // namespace
-
-double half_area(const Box& box) {
-    const glm::dvec3 size = size_of(box);
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
 
 KdPlane cheapest_plane(const KdEvents& events, const Box& box, double padding,
                        const KdOptions& options) {

@@ -86,9 +86,6 @@ inline bool was_found(const KdPlane& plane) {
     return plane.axis >= 0;
 }
 
-// Half of the surface of the box, in double: the square of a float may be no float.
-double half_area(const Box& box);
-
 // A child thinner than this has no plane far enough from its sides to be told apart by rounded
 // distances, and nothing to gain: triangles are two paddings thick.
 inline constexpr double least_width_in_paddings = 8.0;

@@ -13,7 +13,7 @@ KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options) {
     measures.nodes = tree.nodes.size();
     measures.references = tree.references.size();
     measures.bytes = bytes_of(tree);
-    const double whole = half_area(tree.boxes.front());
+    const double whole = surface_area(tree.boxes.front());
     std::vector<int> depths(tree.nodes.size(), 0);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const KdNode& node = tree.nodes[i];
@@ -30,7 +30,7 @@ KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options) {
             measures.longest_leaf = std::max(measures.longest_leaf, count);
         }
         if (!tree.references.empty()) {
-            measures.cost += cost * half_area(tree.boxes[i]) / whole;
+            measures.cost += cost * surface_area(tree.boxes[i]) / whole;
         }
     }
     return measures;

@@ -197,10 +197,10 @@ TEST_CASE("what cannot be built is refused with what to do", "[04][build][errors
                                                   "--memory-limit."));
     options = with_resolution(100000);
     options.memory_limit = 1LL << 60U;
-    CHECK_THAT(error_with(options), contains_text("cannot be numbered"));
+    CHECK_THAT(error_with(options), contains_text("32-bit indices"));
     std::vector<glm::vec3> broken = corners;
     broken[7].y = std::numeric_limits<float>::quiet_NaN();
-    CHECK_THAT(error_of([&] { build_grid(broken, {}); }), starts_with_text("triangle 2 has"));
+    CHECK_THAT(error_of([&] { build_grid(broken, {}); }), starts_with_text("Triangle 2 has"));
 }
 
 TEST_CASE("references over the memory limit are refused before they are taken",

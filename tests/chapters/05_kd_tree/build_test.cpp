@@ -90,7 +90,7 @@ TEST_CASE("the cost of a plane is that of the surface-area heuristic", "[05][bui
     options.traversal_cost = 2.0;
     options.intersection_cost = 10.0;
     options.empty_bonus = 0.5;
-    CHECK(half_area(box) == 20.0);
+    CHECK(surface_area(box) == 40.0);
     const KdPlane plane = cheapest_plane(events, box, 1e-3, options);
     CHECK(plane.axis == 0);
     CHECK(plane.position == 1.0f);

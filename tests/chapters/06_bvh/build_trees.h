@@ -20,6 +20,8 @@ inline constexpr std::array all_splits{BvhSplit::median, BvhSplit::insertion, Bv
 inline BvhOptions with_split(BvhSplit split) {
     BvhOptions options;
     options.split = split;
+    options.traversal_cost = 1.0; // the trees and the ratios of these tests are for such costs
+    options.leaf_triangles = 4;
     return options;
 }
 
