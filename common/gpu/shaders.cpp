@@ -12,19 +12,6 @@
 
 namespace raysteps {
 
-std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
-    const char* named = std::getenv("RAYSTEPS_SHADERS"); // NOLINT(concurrency-mt-unsafe)
-    std::istringstream folders(named == nullptr ? "" : named);
-    std::string first;
-    while (std::getline(folders, first, ':')) {
-        const std::filesystem::path path = std::filesystem::path(first) / file;
-        if (!first.empty() && std::filesystem::is_regular_file(path)) {
-            return path;
-        }
-    }
-    return folder / file;
-}
-
 namespace {
 
 // Deeper nesting is a circle of includes.
@@ -101,43 +88,6 @@ private:
     ShaderText shader_;
 };
 
-} // namespace
-
-std::filesystem::path shader_folder() {
-    return RAYSTEPS_SHADER_DIR;
-}
-
-ShaderText read_shader(const std::string& pass, const Parts& parts,
-                       const std::filesystem::path& folder) {
-    Reader reader(parts, folder);
-    reader.read(pass, {pass, 0}, 0);
-    return reader.take();
-}
-
-std::string name_files(const std::string& messages, const std::vector<std::string>& files) {
-    // Mesa: "0:12(5): error", NVIDIA: "0(12) : error", AMD, Apple and glslang: "ERROR: 0:12: ".
-    static const std::regex notation(
-        R"(^(?:(?:ERROR|WARNING): )?\d+(?::(\d{1,9})(?:\(\d+\))?|\((\d{1,9})\))\s*:\s*)");
-    std::istringstream lines(messages);
-    std::string named;
-    std::string line;
-    while (std::getline(lines, line)) {
-        std::smatch match;
-        if (std::regex_search(line, match, notation)) {
-            const auto global = std::stoul(match[1].matched ? match[1] : match[2]);
-            const std::size_t file = global / lines_per_file;
-            if (file < files.size()) {
-                line = files[file] + ":" + std::to_string(global % lines_per_file) + ": " +
-                       match.suffix().str();
-            }
-        }
-        named += line + "\n";
-    }
-    return named;
-}
-
-namespace {
-
 std::vector<std::filesystem::path> list_files(const std::string& extension) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
@@ -187,6 +137,52 @@ std::vector<std::string> slots_of(const std::string& pass) {
 }
 
 } // namespace
+
+std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
+    const char* named = std::getenv("RAYSTEPS_SHADERS"); // NOLINT(concurrency-mt-unsafe)
+    std::istringstream folders(named == nullptr ? "" : named);
+    std::string first;
+    while (std::getline(folders, first, ':')) {
+        const std::filesystem::path path = std::filesystem::path(first) / file;
+        if (!first.empty() && std::filesystem::is_regular_file(path)) {
+            return path;
+        }
+    }
+    return folder / file;
+}
+
+std::filesystem::path shader_folder() {
+    return RAYSTEPS_SHADER_DIR;
+}
+
+ShaderText read_shader(const std::string& pass, const Parts& parts,
+                       const std::filesystem::path& folder) {
+    Reader reader(parts, folder);
+    reader.read(pass, {pass, 0}, 0);
+    return reader.take();
+}
+
+std::string name_files(const std::string& messages, const std::vector<std::string>& files) {
+    // Mesa: "0:12(5): error", NVIDIA: "0(12) : error", AMD, Apple and glslang: "ERROR: 0:12: ".
+    static const std::regex notation(
+        R"(^(?:(?:ERROR|WARNING): )?\d+(?::(\d{1,9})(?:\(\d+\))?|\((\d{1,9})\))\s*:\s*)");
+    std::istringstream lines(messages);
+    std::string named;
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, notation)) {
+            const auto global = std::stoul(match[1].matched ? match[1] : match[2]);
+            const std::size_t file = global / lines_per_file;
+            if (file < files.size()) {
+                line = files[file] + ":" + std::to_string(global % lines_per_file) + ": " +
+                       match.suffix().str();
+            }
+        }
+        named += line + "\n";
+    }
+    return named;
+}
 
 std::vector<NamedPart> list_parts(const std::string& slot) {
     std::vector<NamedPart> parts;
