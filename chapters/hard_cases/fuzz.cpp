@@ -8,11 +8,11 @@
 #include "structure/structure.h"
 #include "tally.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -52,9 +52,7 @@ std::string to_text(const Hit& hit) {
 
 // Nine digits tell every float from its neighbours.
 std::string to_text(float number) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(number));
-    return text.data();
+    return fmt::format("{:.9g}", number);
 }
 
 std::string to_text(const glm::vec3& point, const std::string& separator) {

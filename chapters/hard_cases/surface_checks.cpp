@@ -3,8 +3,7 @@
 #include "mirror/walks.h"
 #include "trials.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace raysteps {
 
@@ -76,11 +75,10 @@ std::vector<TrialRow> leave_surfaces(const TrialTools& tools, const Make& make) 
 }
 
 Trial triangles_trial(const char* name, float size, float offset) {
-    std::array<char, 96> title{};
-    std::snprintf(title.data(), title.size(),
-                  "a ray that leaves a triangle of size %g at a distance of %g from zero",
-                  static_cast<double>(size), static_cast<double>(offset));
-    return {name, title.data(), "Pharr, Jakob and Humphreys, Physically Based Rendering, 2016",
+    return {name,
+            fmt::format("a ray that leaves a triangle of size {:g} at a distance of {:g} from zero",
+                        size, offset),
+            "Pharr, Jakob and Humphreys, Physically Based Rendering, 2016",
             "move the origin off the plane by as much as rounding can",
             [=](const TrialTools& tools) {
                 return leave_surfaces(tools, [=](RandomNumbers& numbers) {

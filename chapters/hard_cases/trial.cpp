@@ -3,9 +3,9 @@
 #include "basics/text.h"
 #include "gpu/shaders.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -87,15 +87,13 @@ std::string group_lines(const Group& group, Colors colors) {
     const std::vector<std::string> lines = lines_of(with_structures_named_once(group.methods), 30);
     std::string text;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        std::array<char, 256> line{};
         if (i > 0) {
-            std::snprintf(line.data(), line.size(), "  %s\n", lines[i].c_str());
-            text += line.data();
+            text += "  " + lines[i] + "\n";
             continue;
         }
-        std::snprintf(line.data(), line.size(), "  %-30s %-3s  %-24s  %-27s ", lines[i].c_str(),
-                      group.row.where.c_str(), group.row.expected.c_str(), group.row.got.c_str());
-        text += line.data() + painted(group.row.verdict, colors) + "\n";
+        text += fmt::format("  {:<30} {:<3}  {:<24}  {:<27} ", lines[i], group.row.where,
+                            group.row.expected, group.row.got) +
+                painted(group.row.verdict, colors) + "\n";
     }
     return text;
 }

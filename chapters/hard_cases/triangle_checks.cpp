@@ -4,10 +4,10 @@
 #include "reference/exact.h"
 #include "trials.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 namespace raysteps {
@@ -91,13 +91,12 @@ TrialRow error_of_t(const std::string& name, const std::string& triangle, const 
         errors.push_back(std::abs(static_cast<double>(hit.t) - exact.t) / last_place);
     }
     std::sort(errors.begin(), errors.end());
-    std::array<char, 96> words{};
+    std::string words;
     if (!errors.empty()) {
-        std::snprintf(words.data(), words.size(), "%.2g, %.3g, %.3g", errors[errors.size() / 2],
-                      errors[errors.size() * 99 / 100], errors.back());
+        words = fmt::format("{:.2g}, {:.3g}, {:.3g}", errors[errors.size() / 2],
+                            errors[errors.size() * 99 / 100], errors.back());
     }
-    return {triangle,      "C++", "t in ulp: 50, 99, 100 %", words.data(), Verdict::reported,
-            errors.size(), 0};
+    return {triangle, "C++", "t in ulp: 50, 99, 100 %", words, Verdict::reported, errors.size(), 0};
 }
 
 std::vector<TrialRow> errors_of_t(const std::string& name, const TrialTools& tools) {

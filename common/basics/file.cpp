@@ -35,22 +35,6 @@ std::uintmax_t checked_size(const std::filesystem::path& path, std::uintmax_t mo
     return size;
 }
 
-} // namespace
-
-std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
-    const std::uintmax_t size = checked_size(path, most_bytes);
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw InputError(path.string() + ": cannot be opened. Check its permissions.");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
-        throw InputError(path.string() + ": ended after " + std::to_string(file.gcount()) + " of " +
-                         std::to_string(size) + " bytes. Try again when nothing else writes it.");
-    return bytes;
-}
-
-namespace {
-
 std::error_code last_error() {
     return {errno != 0 ? errno : EIO, std::generic_category()};
 }
@@ -83,6 +67,18 @@ std::filesystem::path name_beside(const std::filesystem::path& path) {
 }
 
 } // namespace
+
+std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+    const std::uintmax_t size = checked_size(path, most_bytes);
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw InputError(path.string() + ": cannot be opened. Check its permissions.");
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+        throw InputError(path.string() + ": ended after " + std::to_string(file.gcount()) + " of " +
+                         std::to_string(size) + " bytes. Try again when nothing else writes it.");
+    return bytes;
+}
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
     std::error_code error;

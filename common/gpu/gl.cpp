@@ -7,7 +7,7 @@
 
 #include "basics/error.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace raysteps {
 
@@ -21,10 +21,8 @@ void check_gl(const std::string& doing) {
         throw MachineError("OpenGL ran out of memory while " + doing +
                            ". Take a smaller scene or a smaller --size.");
     }
-    char code[16];
-    std::snprintf(code, sizeof code, "0x%04X", error);
     throw MachineError(
-        "OpenGL reported the error " + std::string(code) + " while " + doing +
+        fmt::format("OpenGL reported the error 0x{:04X} while ", error) + doing +
         ". Try --context osmesa; if it persists, this is a bug in Raysteps; please report it.");
 }
 

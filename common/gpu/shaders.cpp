@@ -28,19 +28,6 @@ std::vector<std::filesystem::path> folders_of_environment() {
     return folders;
 }
 
-} // namespace
-
-std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
-    for (const std::filesystem::path& first : folders_of_environment()) {
-        if (std::filesystem::is_regular_file(first / file)) {
-            return first / file;
-        }
-    }
-    return folder / file;
-}
-
-namespace {
-
 // Deeper nesting is a circle of includes.
 constexpr int deepest_include = 16;
 
@@ -115,43 +102,6 @@ private:
     ShaderText shader_;
 };
 
-} // namespace
-
-std::filesystem::path shader_folder() {
-    return RAYSTEPS_SHADER_DIR;
-}
-
-ShaderText read_shader(const std::string& pass, const Parts& parts,
-                       const std::filesystem::path& folder) {
-    Reader reader(parts, folder);
-    reader.read(pass, {pass, 0}, 0);
-    return reader.take();
-}
-
-std::string name_files(const std::string& messages, const std::vector<std::string>& files) {
-    // Mesa: "0:12(5): error", NVIDIA: "0(12) : error", AMD, Apple and glslang: "ERROR: 0:12: ".
-    static const std::regex notation(
-        R"(^(?:(?:ERROR|WARNING): )?\d+(?::(\d{1,9})(?:\(\d+\))?|\((\d{1,9})\))\s*:\s*)");
-    std::istringstream lines(messages);
-    std::string named;
-    std::string line;
-    while (std::getline(lines, line)) {
-        std::smatch match;
-        if (std::regex_search(line, match, notation)) {
-            const auto global = std::stoul(match[1].matched ? match[1] : match[2]);
-            const std::size_t file = global / lines_per_file;
-            if (file < files.size()) {
-                line = files[file] + ":" + std::to_string(global % lines_per_file) + ": " +
-                       match.suffix().str();
-            }
-        }
-        named += line + "\n";
-    }
-    return named;
-}
-
-namespace {
-
 // The files of that extension in the shader folder and in those of the environment, each once.
 std::vector<std::filesystem::path> list_files(const std::string& extension) {
     std::vector<std::filesystem::path> folders = folders_of_environment();
@@ -204,6 +154,48 @@ std::vector<std::string> slots_of(const std::string& pass) {
 }
 
 } // namespace
+
+std::filesystem::path find_shader(const std::string& file, const std::filesystem::path& folder) {
+    for (const std::filesystem::path& first : folders_of_environment()) {
+        if (std::filesystem::is_regular_file(first / file)) {
+            return first / file;
+        }
+    }
+    return folder / file;
+}
+
+std::filesystem::path shader_folder() {
+    return RAYSTEPS_SHADER_DIR;
+}
+
+ShaderText read_shader(const std::string& pass, const Parts& parts,
+                       const std::filesystem::path& folder) {
+    Reader reader(parts, folder);
+    reader.read(pass, {pass, 0}, 0);
+    return reader.take();
+}
+
+std::string name_files(const std::string& messages, const std::vector<std::string>& files) {
+    // Mesa: "0:12(5): error", NVIDIA: "0(12) : error", AMD, Apple and glslang: "ERROR: 0:12: ".
+    static const std::regex notation(
+        R"(^(?:(?:ERROR|WARNING): )?\d+(?::(\d{1,9})(?:\(\d+\))?|\((\d{1,9})\))\s*:\s*)");
+    std::istringstream lines(messages);
+    std::string named;
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, notation)) {
+            const auto global = std::stoul(match[1].matched ? match[1] : match[2]);
+            const std::size_t file = global / lines_per_file;
+            if (file < files.size()) {
+                line = files[file] + ":" + std::to_string(global % lines_per_file) + ": " +
+                       match.suffix().str();
+            }
+        }
+        named += line + "\n";
+    }
+    return named;
+}
 
 std::vector<NamedPart> list_parts(const std::string& slot) {
     std::vector<NamedPart> parts;

@@ -12,6 +12,24 @@
 
 namespace raysteps {
 
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// On the sphere of radius 1. Rows run from pole to pole; the last point of a row is its first.
+glm::vec3 point_on_sphere(int row, int rows, int column, int around) {
+    const double down = pi * row / rows;
+    const double round = 2.0 * pi * (column % around) / around;
+    const double sine = row == 0 || row == rows ? 0.0 : std::sin(down);
+    return glm::vec3(sine * std::cos(round), std::cos(down), sine * std::sin(round));
+}
+
+void append(std::vector<glm::vec3>& corners, const std::vector<glm::vec3>& more) {
+    corners.insert(corners.end(), more.begin(), more.end());
+}
+
+} // namespace
+
 glm::vec3 any_direction(RandomNumbers& numbers) {
     while (true) {
         const glm::vec3 point = numbers.in_cube();
@@ -59,20 +77,6 @@ SeenSurface any_point_of_a_ball(RandomNumbers& numbers) {
 Mesh close_spheres(float gap) {
     return join(sphere(glm::vec3(0.0f), 1.0f, 8), sphere(glm::vec3(0.0f), 1.0f + gap, 8));
 }
-
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-// On the sphere of radius 1. Rows run from pole to pole; the last point of a row is its first.
-glm::vec3 point_on_sphere(int row, int rows, int column, int around) {
-    const double down = pi * row / rows;
-    const double round = 2.0 * pi * (column % around) / around;
-    const double sine = row == 0 || row == rows ? 0.0 : std::sin(down);
-    return glm::vec3(sine * std::cos(round), std::cos(down), sine * std::sin(round));
-}
-
-} // namespace
 
 Mesh latitude_sphere(float radius, int rows, int around) {
     Mesh mesh;
@@ -278,14 +282,6 @@ Mesh reordered(const Mesh& mesh, TriangleOrder order, int seed) {
     }
     return result;
 }
-
-namespace {
-
-void append(std::vector<glm::vec3>& corners, const std::vector<glm::vec3>& more) {
-    corners.insert(corners.end(), more.begin(), more.end());
-}
-
-} // namespace
 
 std::vector<glm::vec3> triangle_around(const glm::vec3& center, const glm::vec3& a) {
     return {center - a, center + a, center + glm::vec3(a.x, -a.y, a.z)};

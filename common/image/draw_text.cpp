@@ -45,44 +45,6 @@ std::string printable(const std::string& line) {
     return result;
 }
 
-} // namespace
-
-int text_width(const std::string& line) {
-    return text_scale * stb_easy_font_width(printable(line).data());
-}
-
-Image draw_line(const std::string& line) {
-    std::string text = printable(line);
-    std::vector<Rectangle> rectangles(most_rectangles_a_character * (text.size() + 1));
-    const auto buffer_size = static_cast<int>(rectangles.size() * sizeof(Rectangle));
-    const int count =
-        stb_easy_font_print(0.0f, 0.0f, text.data(), nullptr, rectangles.data(), buffer_size);
-
-    Image image = blank(text_width(line), text_line_height, paper_color);
-    for (int i = 0; i < count; i++) {
-        const Rectangle& rectangle = rectangles[i];
-        const int left = text_scale * static_cast<int>(rectangle[0].x);
-        const int top = text_scale * static_cast<int>(rectangle[0].y);
-        const int right = text_scale * static_cast<int>(rectangle[2].x);
-        const int bottom = text_scale * static_cast<int>(rectangle[2].y);
-        image = paste(std::move(image), blank(right - left, bottom - top, ink_color), left, top);
-    }
-    return image;
-}
-
-Image draw_paragraph(const std::string& text, int width) {
-    Image image = blank(width, 0, paper_color);
-    for (const std::string& line : wrap_text(text, width)) {
-        const Image drawn = draw_line(line);
-        const Image row = paste(blank(width, text_line_height, paper_color), drawn,
-                                std::max(0, (width - drawn.width) / 2), 0);
-        image = stack(image, row);
-    }
-    return image;
-}
-
-namespace {
-
 bool starts_a_character(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; // UTF-8
 }
@@ -119,6 +81,40 @@ std::vector<std::string> wrap_line(const std::string& line, int width) {
 }
 
 } // namespace
+
+int text_width(const std::string& line) {
+    return text_scale * stb_easy_font_width(printable(line).data());
+}
+
+Image draw_line(const std::string& line) {
+    std::string text = printable(line);
+    std::vector<Rectangle> rectangles(most_rectangles_a_character * (text.size() + 1));
+    const auto buffer_size = static_cast<int>(rectangles.size() * sizeof(Rectangle));
+    const int count =
+        stb_easy_font_print(0.0f, 0.0f, text.data(), nullptr, rectangles.data(), buffer_size);
+
+    Image image = blank(text_width(line), text_line_height, paper_color);
+    for (int i = 0; i < count; i++) {
+        const Rectangle& rectangle = rectangles[i];
+        const int left = text_scale * static_cast<int>(rectangle[0].x);
+        const int top = text_scale * static_cast<int>(rectangle[0].y);
+        const int right = text_scale * static_cast<int>(rectangle[2].x);
+        const int bottom = text_scale * static_cast<int>(rectangle[2].y);
+        image = paste(std::move(image), blank(right - left, bottom - top, ink_color), left, top);
+    }
+    return image;
+}
+
+Image draw_paragraph(const std::string& text, int width) {
+    Image image = blank(width, 0, paper_color);
+    for (const std::string& line : wrap_text(text, width)) {
+        const Image drawn = draw_line(line);
+        const Image row = paste(blank(width, text_line_height, paper_color), drawn,
+                                std::max(0, (width - drawn.width) / 2), 0);
+        image = stack(image, row);
+    }
+    return image;
+}
 
 std::vector<std::string> wrap_text(const std::string& text, int width) {
     std::vector<std::string> lines;

@@ -32,6 +32,59 @@ HeatMapRange range_around(float value, HeatMapScale scale) {
     return {std::min(value, 0.0f), std::max(value, 0.0f), scale};
 }
 
+constexpr int margin = 8; // pixels, on every side of the bar
+constexpr int bar_height = 16;
+constexpr int tick_height = 6;
+constexpr int tick_width = 2;
+constexpr int line_gap = 4;   // pixels under the ticks, and under the labels
+constexpr int label_gap = 16; // pixels between two labels, at least
+
+// The middle label stands at the center, so each side must have room for the wider of the outer
+// two.
+int least_bar_width(const std::array<std::string, 3>& labels) {
+    const int outer = std::max(text_width(labels[0]), text_width(labels[2]));
+    return 2 * (outer + label_gap) + text_width(labels[1]);
+}
+
+Image draw_bar(int width) {
+    Image bar(width, bar_height);
+    for (int column = 0; column < width; column++) {
+        // The first column shows the lower end and the last one the upper end.
+        const glm::vec3 color =
+            color_map(static_cast<float>(column) / static_cast<float>(width - 1));
+        for (int row = 0; row < bar_height; row++) {
+            bar.at(column, row) = color;
+        }
+    }
+    return bar;
+}
+
+Image draw_ticks(int width) {
+    const Image tick = blank(tick_width, tick_height, ink_color);
+    Image ticks = blank(width, tick_height, paper_color);
+    ticks = paste(std::move(ticks), tick, 0, 0);
+    ticks = paste(std::move(ticks), tick, (width - tick_width) / 2, 0);
+    return paste(std::move(ticks), tick, width - tick_width, 0);
+}
+
+Image draw_labels(const std::array<std::string, 3>& labels, int width) {
+    Image row = blank(width, text_line_height, paper_color);
+    row = paste(std::move(row), draw_line(labels[0]), 0, 0);
+    row = paste(std::move(row), draw_line(labels[1]), (width - text_width(labels[1])) / 2, 0);
+    return paste(std::move(row), draw_line(labels[2]), width - text_width(labels[2]), 0);
+}
+
+// 9 digits tell all floats apart; the middle is rounded with its neighbours.
+constexpr int least_digits = 4;
+constexpr int most_digits = 9;
+
+std::string format_number(double number, int digits) {
+    std::array<char, 64> buffer{};
+    const std::to_chars_result result = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                                                      number, std::chars_format::general, digits);
+    return {buffer.data(), result.ptr};
+}
+
 } // namespace
 
 HeatMapRange auto_range(std::span<const float> values, HeatMapScale scale) {
@@ -106,52 +159,6 @@ Image heat_map(std::span<const float> values, int width, int height, const HeatM
     return stack(picture, draw_legend(range, title, legend_note(values, range), width));
 }
 
-namespace {
-
-constexpr int margin = 8; // pixels, on every side of the bar
-constexpr int bar_height = 16;
-constexpr int tick_height = 6;
-constexpr int tick_width = 2;
-constexpr int line_gap = 4;   // pixels under the ticks, and under the labels
-constexpr int label_gap = 16; // pixels between two labels, at least
-
-// The middle label stands at the center, so each side must have room for the wider of the outer
-// two.
-int least_bar_width(const std::array<std::string, 3>& labels) {
-    const int outer = std::max(text_width(labels[0]), text_width(labels[2]));
-    return 2 * (outer + label_gap) + text_width(labels[1]);
-}
-
-Image draw_bar(int width) {
-    Image bar(width, bar_height);
-    for (int column = 0; column < width; column++) {
-        // The first column shows the lower end and the last one the upper end.
-        const glm::vec3 color =
-            color_map(static_cast<float>(column) / static_cast<float>(width - 1));
-        for (int row = 0; row < bar_height; row++) {
-            bar.at(column, row) = color;
-        }
-    }
-    return bar;
-}
-
-Image draw_ticks(int width) {
-    const Image tick = blank(tick_width, tick_height, ink_color);
-    Image ticks = blank(width, tick_height, paper_color);
-    ticks = paste(std::move(ticks), tick, 0, 0);
-    ticks = paste(std::move(ticks), tick, (width - tick_width) / 2, 0);
-    return paste(std::move(ticks), tick, width - tick_width, 0);
-}
-
-Image draw_labels(const std::array<std::string, 3>& labels, int width) {
-    Image row = blank(width, text_line_height, paper_color);
-    row = paste(std::move(row), draw_line(labels[0]), 0, 0);
-    row = paste(std::move(row), draw_line(labels[1]), (width - text_width(labels[1])) / 2, 0);
-    return paste(std::move(row), draw_line(labels[2]), width - text_width(labels[2]), 0);
-}
-
-} // namespace
-
 Image draw_legend(const HeatMapRange& range, const std::string& title, const std::string& note,
                   int width) {
     const std::array<std::string, 3> labels = legend_labels(range);
@@ -167,21 +174,6 @@ Image draw_legend(const HeatMapRange& range, const std::string& title, const std
     const Image space = blank(bar_width + 2 * margin, margin, paper_color);
     return stack(stack(space, scale), stack(text, space));
 }
-
-namespace {
-
-// 9 digits tell all floats apart; the middle is rounded with its neighbours.
-constexpr int least_digits = 4;
-constexpr int most_digits = 9;
-
-std::string format_number(double number, int digits) {
-    std::array<char, 64> buffer{};
-    const std::to_chars_result result = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
-                                                      number, std::chars_format::general, digits);
-    return {buffer.data(), result.ptr};
-}
-
-} // namespace
 
 std::array<std::string, 3> legend_labels(const HeatMapRange& range) {
     std::array<std::string, 3> labels;

@@ -52,6 +52,68 @@ std::optional<Size> parse_pfm_size(std::string_view line) {
     return Size{*width, *height};
 }
 
+std::vector<std::uint8_t> encode(const Image& image) {
+    std::vector<std::uint8_t> components;
+    components.reserve(3 * image.pixels.size());
+    for (const glm::vec3& pixel : image.pixels) {
+        const glm::vec3 shown = has_nan(pixel) ? nan_color : pixel;
+        components.push_back(encode_srgb(shown.x));
+        components.push_back(encode_srgb(shown.y));
+        components.push_back(encode_srgb(shown.z));
+    }
+    return components;
+}
+
+struct Output {
+    std::string bytes;
+    bool fits = true;
+};
+
+// No exception may pass through stb's C code.
+void append(void* output, void* piece, int size) {
+    auto& [bytes, fits] = *static_cast<Output*>(output);
+    try {
+        bytes.append(static_cast<const char*>(piece), static_cast<std::size_t>(size));
+    } catch (const std::bad_alloc&) {
+        fits = false;
+    }
+}
+
+std::string little_endian_bytes(float number) {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(number);
+    return {static_cast<char>(bits), static_cast<char>(bits >> 8), static_cast<char>(bits >> 16),
+            static_cast<char>(bits >> 24)};
+}
+
+constexpr std::size_t bytes_a_pixel = 12;
+constexpr std::size_t most_header_bytes = 192;
+
+std::uint32_t byte_at(std::string_view bytes, std::size_t index) {
+    return static_cast<unsigned char>(bytes[index]);
+}
+
+float read_float(std::string_view bytes, std::endian byte_order) {
+    const std::uint32_t little = byte_at(bytes, 0) | byte_at(bytes, 1) << 8 |
+                                 byte_at(bytes, 2) << 16 | byte_at(bytes, 3) << 24;
+    const std::uint32_t big = byte_at(bytes, 3) | byte_at(bytes, 2) << 8 | byte_at(bytes, 1) << 16 |
+                              byte_at(bytes, 0) << 24;
+    return std::bit_cast<float>(byte_order == std::endian::little ? little : big);
+}
+
+// A file stores at most 8 bytes per pixel (a PNG of 16 bits), and may carry profiles and texts.
+// More than that is refused, because what it unpacks to is bounded by nothing else.
+constexpr std::uintmax_t most_bytes_beside_pixels = 1 << 20;
+constexpr std::uintmax_t most_bytes_a_pixel = 8;
+
+struct Free {
+    void operator()(stbi_uc* components) const { stbi_image_free(components); }
+};
+
+[[noreturn]] void fail(const std::filesystem::path& path) {
+    throw InputError(path.string() + ": is not a PNG, JPEG or BMP picture that can be read (" +
+                     stbi_failure_reason() + "). Save it again as PNG.");
+}
+
 } // namespace
 
 PfmHeader parse_pfm_header(const std::string& name, std::string_view bytes) {
@@ -85,37 +147,6 @@ PfmHeader parse_pfm_header(const std::string& name, std::string_view bytes) {
     return header;
 }
 
-namespace {
-
-std::vector<std::uint8_t> encode(const Image& image) {
-    std::vector<std::uint8_t> components;
-    components.reserve(3 * image.pixels.size());
-    for (const glm::vec3& pixel : image.pixels) {
-        const glm::vec3 shown = has_nan(pixel) ? nan_color : pixel;
-        components.push_back(encode_srgb(shown.x));
-        components.push_back(encode_srgb(shown.y));
-        components.push_back(encode_srgb(shown.z));
-    }
-    return components;
-}
-
-struct Output {
-    std::string bytes;
-    bool fits = true;
-};
-
-// No exception may pass through stb's C code.
-void append(void* output, void* piece, int size) {
-    auto& [bytes, fits] = *static_cast<Output*>(output);
-    try {
-        bytes.append(static_cast<const char*>(piece), static_cast<std::size_t>(size));
-    } catch (const std::bad_alloc&) {
-        fits = false;
-    }
-}
-
-} // namespace
-
 void write_png(const std::filesystem::path& path, const Image& image) {
     check_image(path.string(), image);
     const std::vector<std::uint8_t> components = encode(image);
@@ -128,16 +159,6 @@ void write_png(const std::filesystem::path& path, const Image& image) {
     }
     write_file(path, output.bytes);
 }
-
-namespace {
-
-std::string little_endian_bytes(float number) {
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(number);
-    return {static_cast<char>(bits), static_cast<char>(bits >> 8), static_cast<char>(bits >> 16),
-            static_cast<char>(bits >> 24)};
-}
-
-} // namespace
 
 void write_pfm(const std::filesystem::path& path, const Image& image) {
     check_image(path.string(), image);
@@ -154,25 +175,6 @@ void write_pfm(const std::filesystem::path& path, const Image& image) {
     }
     write_file(path, bytes);
 }
-
-namespace {
-
-constexpr std::size_t bytes_a_pixel = 12;
-constexpr std::size_t most_header_bytes = 192;
-
-std::uint32_t byte_at(std::string_view bytes, std::size_t index) {
-    return static_cast<unsigned char>(bytes[index]);
-}
-
-float read_float(std::string_view bytes, std::endian byte_order) {
-    const std::uint32_t little = byte_at(bytes, 0) | byte_at(bytes, 1) << 8 |
-                                 byte_at(bytes, 2) << 16 | byte_at(bytes, 3) << 24;
-    const std::uint32_t big = byte_at(bytes, 3) | byte_at(bytes, 2) << 8 | byte_at(bytes, 1) << 16 |
-                              byte_at(bytes, 0) << 24;
-    return std::bit_cast<float>(byte_order == std::endian::little ? little : big);
-}
-
-} // namespace
 
 Image read_pfm(const std::filesystem::path& path) {
     const std::string bytes = read_file(path, bytes_a_pixel * most_pixels + most_header_bytes);
@@ -198,24 +200,6 @@ Image read_pfm(const std::filesystem::path& path) {
     }
     return image;
 }
-
-namespace {
-
-// A file stores at most 8 bytes per pixel (a PNG of 16 bits), and may carry profiles and texts.
-// More than that is refused, because what it unpacks to is bounded by nothing else.
-constexpr std::uintmax_t most_bytes_beside_pixels = 1 << 20;
-constexpr std::uintmax_t most_bytes_a_pixel = 8;
-
-struct Free {
-    void operator()(stbi_uc* components) const { stbi_image_free(components); }
-};
-
-[[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError(path.string() + ": is not a PNG, JPEG or BMP picture that can be read (" +
-                     stbi_failure_reason() + "). Save it again as PNG.");
-}
-
-} // namespace
 
 Image read_picture(const std::filesystem::path& path) {
     const std::string bytes =

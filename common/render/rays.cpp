@@ -18,6 +18,13 @@ std::size_t texel_count(const Texture& texture) {
     return static_cast<std::size_t>(texture.width()) * static_cast<std::size_t>(texture.height());
 }
 
+void set_view(Program& program, const View& view) {
+    program.set("view.eye", view.eye)
+        .set("view.lower_left", view.lower_left)
+        .set("view.right", view.right)
+        .set("view.up", view.up);
+}
+
 } // namespace
 
 RayTextures make_ray_textures(int width, int height) {
@@ -85,17 +92,6 @@ std::vector<Hit> read_hits(const Texture& hits, std::size_t count) {
 std::vector<Hit> read_hits(const Texture& hits) {
     return read_hits(hits, texel_count(hits));
 }
-
-namespace {
-
-void set_view(Program& program, const View& view) {
-    program.set("view.eye", view.eye)
-        .set("view.lower_left", view.lower_left)
-        .set("view.right", view.right)
-        .set("view.up", view.up);
-}
-
-} // namespace
 
 RayTextures generate_rays(const Camera& camera, int width, int height, RayGeneration generation) {
     Program program(generation == RayGeneration::interpolated ? "pass/rays/interpolate_rays.frag"

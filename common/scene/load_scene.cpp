@@ -37,6 +37,21 @@ Scene load_bare_obj(const fs::path& path, float aspect_ratio) {
     return frame_scene(std::move(scene), aspect_ratio);
 }
 
+constexpr std::size_t column_width = 22;
+
+std::string line_of(const SampleScene& sample) {
+    std::string name(sample.name);
+    std::string ranges;
+    for (const SampleParameter& parameter : sample.parameters) {
+        name += ":" + std::string(parameter.name);
+        ranges += "; " + std::string(parameter.name) + " is " + std::to_string(parameter.lowest) +
+                  " to " + std::to_string(parameter.highest) + ", else " +
+                  std::to_string(parameter.usual);
+    }
+    name.resize(column_width, ' ');
+    return name + std::string(sample.description) + ranges + "\n";
+}
+
 } // namespace
 
 Scene load_scene(const std::string& name, float aspect_ratio) {
@@ -60,25 +75,6 @@ Scene load_scene(const std::string& name, float aspect_ratio) {
     }
     return make_sample_scene(name, aspect_ratio); // which says that there is no such scene
 }
-
-namespace {
-
-constexpr std::size_t column_width = 22;
-
-std::string line_of(const SampleScene& sample) {
-    std::string name(sample.name);
-    std::string ranges;
-    for (const SampleParameter& parameter : sample.parameters) {
-        name += ":" + std::string(parameter.name);
-        ranges += "; " + std::string(parameter.name) + " is " + std::to_string(parameter.lowest) +
-                  " to " + std::to_string(parameter.highest) + ", else " +
-                  std::to_string(parameter.usual);
-    }
-    name.resize(column_width, ' ');
-    return name + std::string(sample.description) + ranges + "\n";
-}
-
-} // namespace
 
 std::string list_scenes() {
     std::string lines;

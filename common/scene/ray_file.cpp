@@ -4,17 +4,16 @@
 #include "basics/file.h"
 #include "basics/text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 
 namespace raysteps {
-
-static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
 
 namespace {
 
@@ -53,39 +52,9 @@ void check(const Ray& ray, std::size_t number, const std::filesystem::path& path
 }
 
 void append_csv(std::string& text, const Hit& hit) {
-    char line[96];
     // Nine digits give back the same float.
-    std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%d\n", static_cast<double>(hit.t),
-                  static_cast<double>(hit.u), static_cast<double>(hit.v), hit.triangle);
-    text += line;
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{}\n", hit.t, hit.u, hit.v, hit.triangle);
 }
-
-} // namespace
-
-std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
-    const std::string bytes = read_file(path, most_bytes);
-    std::vector<Ray> rays = is_csv(path) ? parse_ray_csv(bytes, path) : parse_binary(bytes, path);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        check(rays[i], i, path);
-    }
-    return rays;
-}
-
-void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits) {
-    std::string bytes;
-    if (is_csv(path)) {
-        bytes = "t,u,v,triangle\n";
-        for (const Hit& hit : hits) {
-            append_csv(bytes, hit);
-        }
-    } else if (!hits.empty()) {
-        bytes.resize(hits.size_bytes());
-        std::memcpy(bytes.data(), hits.data(), hits.size_bytes());
-    }
-    write_file(path, bytes);
-}
-
-namespace {
 
 // The indices of the columns in the eight numbers of a ray.
 constexpr std::array<std::string_view, 8> columns{"origin_x",    "origin_y",    "origin_z",
@@ -160,6 +129,31 @@ Ray read_line(std::string_view line, const std::vector<std::size_t>& indices,
 }
 
 } // namespace
+
+static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
+
+std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, most_bytes);
+    std::vector<Ray> rays = is_csv(path) ? parse_ray_csv(bytes, path) : parse_binary(bytes, path);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        check(rays[i], i, path);
+    }
+    return rays;
+}
+
+void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits) {
+    std::string bytes;
+    if (is_csv(path)) {
+        bytes = "t,u,v,triangle\n";
+        for (const Hit& hit : hits) {
+            append_csv(bytes, hit);
+        }
+    } else if (!hits.empty()) {
+        bytes.resize(hits.size_bytes());
+        std::memcpy(bytes.data(), hits.data(), hits.size_bytes());
+    }
+    write_file(path, bytes);
+}
 
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path) {
     std::vector<Ray> rays;

@@ -116,26 +116,6 @@ void add_light_effects(Calls& calls, const Scene& scene, const std::vector<int>&
                         [](const Material& material) { return is_glass(material); }));
 }
 
-} // namespace
-
-std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio) {
-    const std::vector<int> seen = triangles_in_view(scene, aspect_ratio);
-    Calls calls;
-    add_camera_effects(calls, scene);
-    add_light_effects(calls, scene, seen);
-    if (calls.has(Effect::diffuse)) {
-        calls.add(Effect::textures, reason_of(scene, seen, has_texture));
-    }
-    calls.add(Effect::mirrors, reason_of(scene, seen, [](const Material& material) {
-                  return is_mirror(material) && !is_glass(material);
-              }));
-    calls.add(Effect::refraction, reason_of(scene, seen, is_glass));
-    calls.add(Effect::absorption, reason_of(scene, seen, absorbs));
-    return calls.in_order();
-}
-
-namespace {
-
 // The eye is in all of these planes: the four sides, and the one that parts what is before the eye
 // from what is behind it. Their normals point out of the view.
 struct Frustum {
@@ -182,6 +162,22 @@ bool is_outside(const Frustum& frustum, const glm::vec3* corners) {
 }
 
 } // namespace
+
+std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio) {
+    const std::vector<int> seen = triangles_in_view(scene, aspect_ratio);
+    Calls calls;
+    add_camera_effects(calls, scene);
+    add_light_effects(calls, scene, seen);
+    if (calls.has(Effect::diffuse)) {
+        calls.add(Effect::textures, reason_of(scene, seen, has_texture));
+    }
+    calls.add(Effect::mirrors, reason_of(scene, seen, [](const Material& material) {
+                  return is_mirror(material) && !is_glass(material);
+              }));
+    calls.add(Effect::refraction, reason_of(scene, seen, is_glass));
+    calls.add(Effect::absorption, reason_of(scene, seen, absorbs));
+    return calls.in_order();
+}
 
 std::vector<int> triangles_of_materials(const Scene& scene) {
     std::vector<int> counts(scene.materials.size(), 0);

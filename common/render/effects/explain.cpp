@@ -1,7 +1,8 @@
 #include "render/effects/effects_renderer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace raysteps {
 
@@ -22,9 +23,7 @@ std::string reason_of(const Plan& plan, Effect effect) {
 }
 
 std::string megabytes(std::size_t bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f MB", static_cast<double>(bytes) / 1e6);
-    return text;
+    return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
 std::string line(const std::string& what, const std::string& text) {

@@ -96,31 +96,6 @@ Image globe() {
 
 const std::string prefix = "made:";
 
-} // namespace
-
-bool is_made_texture(const std::string& name) {
-    return name.starts_with(prefix);
-}
-
-Image made_texture(const std::string& name) {
-    if (name == "made:checker") {
-        return checker();
-    }
-    if (name == "made:bricks") {
-        return bricks();
-    }
-    if (name == "made:wood") {
-        return wood();
-    }
-    if (name == "made:globe") {
-        return globe();
-    }
-    throw InputError(no_such_choice("map_Kd", name, "texture made by code",
-                                    {"made:checker", "made:bricks", "made:wood", "made:globe"}));
-}
-
-namespace {
-
 // The finer texels from first up to end that the texel covers along one axis; an odd last one
 // belongs to its neighbour's texel, too.
 struct Range {
@@ -152,7 +127,34 @@ Image halved(const Image& finer) {
     return image;
 }
 
+constexpr int no_texture = -1;
+
+Image load_texture(const std::string& name) {
+    return is_made_texture(name) ? made_texture(name) : read_picture(name);
+}
+
 } // namespace
+
+bool is_made_texture(const std::string& name) {
+    return name.starts_with(prefix);
+}
+
+Image made_texture(const std::string& name) {
+    if (name == "made:checker") {
+        return checker();
+    }
+    if (name == "made:bricks") {
+        return bricks();
+    }
+    if (name == "made:wood") {
+        return wood();
+    }
+    if (name == "made:globe") {
+        return globe();
+    }
+    throw InputError(no_such_choice("map_Kd", name, "texture made by code",
+                                    {"made:checker", "made:bricks", "made:wood", "made:globe"}));
+}
 
 std::vector<Image> mipmap_of(const Image& image) {
     std::vector<Image> levels{image};
@@ -161,16 +163,6 @@ std::vector<Image> mipmap_of(const Image& image) {
     }
     return levels;
 }
-
-namespace {
-
-constexpr int no_texture = -1;
-
-Image load_texture(const std::string& name) {
-    return is_made_texture(name) ? made_texture(name) : read_picture(name);
-}
-
-} // namespace
 
 LoadedTextures load_textures(const Scene& scene) {
     LoadedTextures result;

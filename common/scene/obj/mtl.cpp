@@ -19,44 +19,6 @@
 
 namespace raysteps {
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-std::optional<std::filesystem::path> path_inside(const std::filesystem::path& inside,
-                                                 const std::filesystem::path& from,
-                                                 std::string_view name) {
-    std::string slashed(name);
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    const std::filesystem::path named(slashed);
-    if (named.empty())
-        return std::nullopt;
-    const std::filesystem::path path = (from / named).lexically_normal();
-
-    std::error_code failure;
-    const std::filesystem::path root = std::filesystem::weakly_canonical(inside, failure);
-    if (failure)
-        return std::nullopt;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(path, failure);
-    if (failure)
-        return std::nullopt;
-    const std::filesystem::path way = target.lexically_relative(root);
-    if (way.empty() || *way.begin() == "..")
-        return std::nullopt;
-    return path;
-}
-
-MtlTexture find_texture(const std::string& name, const std::filesystem::path& mtl_path,
-                        const std::filesystem::path& inside) {
-    if (name.empty())
-        return {};
-    const auto path = path_inside(inside, folder_of(mtl_path), name);
-    if (path)
-        return {path->string(), ""};
-    return {"", mtl_path.string() + ": The texture " + in_quotes(name) +
-                    " is not in the folder of the model, so it is left out."};
-}
-
 namespace {
 
 enum class OutOfRange { take_nearest, leave_out };
@@ -115,44 +77,6 @@ std::string complaint(const Rule& rule, std::string_view word) {
            shortest_text(static_cast<float>(rule.least)) + " and " +
            shortest_text(static_cast<float>(rule.greatest));
 }
-
-} // namespace
-
-bool has_mtl_values(std::string_view keyword) {
-    return find_rule(keyword) != nullptr;
-}
-
-MtlValues checked_mtl_values(const std::vector<std::string_view>& words) {
-    const Rule& rule = *find_rule(words.front());
-    MtlValues result;
-    std::vector<float> values;
-    for (std::size_t i = 1; i <= rule.count; ++i) {
-        const bool is_grey = words.size() == 2;
-        const std::string_view word = is_grey ? words[1] : i < words.size() ? words[i] : "";
-        const double number = to_number(word).value_or(std::nan(""));
-        const bool is_right = number >= rule.least && number <= rule.greatest;
-        const bool is_hopeless = std::isnan(number) || rule.out_of_range == OutOfRange::leave_out;
-        if (!is_right && is_hopeless)
-            return {"", complaint(rule, word) + ", so the line was left out"};
-        const auto value = static_cast<float>(std::clamp(number, rule.least, rule.greatest));
-        if (!is_right)
-            result.correction = complaint(rule, word) + ", so " + shortest_text(value) + " is used";
-        values.push_back(value);
-    }
-    result.statement = renamed_statement(rule, values);
-    return result;
-}
-
-std::string to_mtl(const Material& material) {
-    return "newmtl " + material.name + '\n' + statement("Kd", material.diffuse) +
-           statement("Ks", material.specular) + statement("Ke", material.emission) +
-           statement("Tf", material.transmission) + "Ns " + shortest_text(material.shininess) +
-           "\nNi " + shortest_text(material.refractive_index) + "\nd " +
-           shortest_text(material.opacity) + "\nillum " +
-           std::to_string(material.illumination_model) + '\n';
-}
-
-namespace {
 
 // The rest of MTL and its later extensions for other kinds of shading.
 constexpr std::array<std::string_view, 32> known_but_not_used = {
@@ -225,18 +149,6 @@ void MtlCleaner::take_values(const std::vector<std::string_view>& words) {
         note("In material " + in_quotes(name_) + ", " + values.correction);
 }
 
-} // namespace
-
-CleanMtl clean_mtl(std::string_view text) {
-    LineReader lines(text);
-    MtlCleaner cleaner;
-    while (const std::optional<TextLine> line = lines.next())
-        cleaner.take(*line);
-    return std::move(cleaner.clean);
-}
-
-namespace {
-
 // One name with spaces in it, where there is such a file; else names that spaces set apart.
 std::vector<std::string_view> names_in(const ObjLibrary& library,
                                        const std::filesystem::path& folder) {
@@ -264,6 +176,86 @@ Outcome read_mtl_file(const std::filesystem::path& path) {
 }
 
 } // namespace
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+std::optional<std::filesystem::path> path_inside(const std::filesystem::path& inside,
+                                                 const std::filesystem::path& from,
+                                                 std::string_view name) {
+    std::string slashed(name);
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    const std::filesystem::path named(slashed);
+    if (named.empty())
+        return std::nullopt;
+    const std::filesystem::path path = (from / named).lexically_normal();
+
+    std::error_code failure;
+    const std::filesystem::path root = std::filesystem::weakly_canonical(inside, failure);
+    if (failure)
+        return std::nullopt;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(path, failure);
+    if (failure)
+        return std::nullopt;
+    const std::filesystem::path way = target.lexically_relative(root);
+    if (way.empty() || *way.begin() == "..")
+        return std::nullopt;
+    return path;
+}
+
+MtlTexture find_texture(const std::string& name, const std::filesystem::path& mtl_path,
+                        const std::filesystem::path& inside) {
+    if (name.empty())
+        return {};
+    const auto path = path_inside(inside, folder_of(mtl_path), name);
+    if (path)
+        return {path->string(), ""};
+    return {"", mtl_path.string() + ": The texture " + in_quotes(name) +
+                    " is not in the folder of the model, so it is left out."};
+}
+
+bool has_mtl_values(std::string_view keyword) {
+    return find_rule(keyword) != nullptr;
+}
+
+MtlValues checked_mtl_values(const std::vector<std::string_view>& words) {
+    const Rule& rule = *find_rule(words.front());
+    MtlValues result;
+    std::vector<float> values;
+    for (std::size_t i = 1; i <= rule.count; ++i) {
+        const bool is_grey = words.size() == 2;
+        const std::string_view word = is_grey ? words[1] : i < words.size() ? words[i] : "";
+        const double number = to_number(word).value_or(std::nan(""));
+        const bool is_right = number >= rule.least && number <= rule.greatest;
+        const bool is_hopeless = std::isnan(number) || rule.out_of_range == OutOfRange::leave_out;
+        if (!is_right && is_hopeless)
+            return {"", complaint(rule, word) + ", so the line was left out"};
+        const auto value = static_cast<float>(std::clamp(number, rule.least, rule.greatest));
+        if (!is_right)
+            result.correction = complaint(rule, word) + ", so " + shortest_text(value) + " is used";
+        values.push_back(value);
+    }
+    result.statement = renamed_statement(rule, values);
+    return result;
+}
+
+std::string to_mtl(const Material& material) {
+    return "newmtl " + material.name + '\n' + statement("Kd", material.diffuse) +
+           statement("Ks", material.specular) + statement("Ke", material.emission) +
+           statement("Tf", material.transmission) + "Ns " + shortest_text(material.shininess) +
+           "\nNi " + shortest_text(material.refractive_index) + "\nd " +
+           shortest_text(material.opacity) + "\nillum " +
+           std::to_string(material.illumination_model) + '\n';
+}
+
+CleanMtl clean_mtl(std::string_view text) {
+    LineReader lines(text);
+    MtlCleaner cleaner;
+    while (const std::optional<TextLine> line = lines.next())
+        cleaner.take(*line);
+    return std::move(cleaner.clean);
+}
 
 MtlFiles read_mtl_files(const ObjFile& file) {
     MtlFiles result;

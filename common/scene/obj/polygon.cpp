@@ -23,44 +23,6 @@ glm::dvec3 mean_normal(std::span<const glm::vec3> corners) {
     return sum;
 }
 
-} // namespace
-
-std::vector<glm::dvec2> flatten_polygon(std::span<const glm::vec3> corners) {
-    const glm::dvec3 normal = mean_normal(corners);
-    const glm::dvec3 size = glm::abs(normal);
-    int axis = size.x > size.y ? 0 : 1;
-    axis = size[axis] > size.z ? axis : 2;
-    const int other = normal[axis] < 0.0 ? 2 : 1;
-    const int right = (axis + other) % 3;
-    const int up = (axis + 3 - other) % 3;
-
-    std::vector<glm::dvec2> flat;
-    flat.reserve(corners.size());
-    for (const glm::vec3& corner : corners)
-        flat.emplace_back(corner[right], corner[up]);
-    return flat;
-}
-
-PolygonStrips::PolygonStrips(std::span<const glm::dvec2> points)
-    : points_(points),
-      strip_size_(1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())))),
-      order_(points.size()) {
-    std::iota(order_.begin(), order_.end(), 0);
-    const auto is_left = [this](int a, int b) { return points_[a].x < points_[b].x; };
-    const auto is_below = [this](int a, int b) { return points_[a].y < points_[b].y; };
-    std::sort(order_.begin(), order_.end(), is_left);
-    for (std::size_t first = 0; first < order_.size(); first += strip_size_) {
-        const std::size_t end = std::min(first + strip_size_, order_.size());
-        left_.push_back(points_[order_[first]].x);
-        right_.push_back(points_[order_[end - 1]].x);
-        const auto begin = order_.begin();
-        std::sort(begin + static_cast<Order::difference_type>(first),
-                  begin + static_cast<Order::difference_type>(end), is_below);
-    }
-}
-
-namespace {
-
 // A polygon without crossings is done after a few tests a corner. One that needs more has crossings
 // and no right answer, so it gets any answer.
 constexpr std::size_t most_tests_per_corner = 32;
@@ -173,14 +135,6 @@ void EarCutter::wait_for_all() {
     }
 }
 
-} // namespace
-
-std::vector<std::array<int, 3>> cut_ears(std::span<const glm::dvec2> points) {
-    return EarCutter(points).cut_all();
-}
-
-namespace {
-
 // The corners that do not stand where the one before them stands.
 std::vector<int> different_corners(std::span<const glm::vec3> corners) {
     std::vector<int> different;
@@ -215,6 +169,44 @@ std::vector<PolygonTriangle> cut_polygon(std::span<const glm::vec3> corners) {
 }
 
 } // namespace
+
+std::vector<glm::dvec2> flatten_polygon(std::span<const glm::vec3> corners) {
+    const glm::dvec3 normal = mean_normal(corners);
+    const glm::dvec3 size = glm::abs(normal);
+    int axis = size.x > size.y ? 0 : 1;
+    axis = size[axis] > size.z ? axis : 2;
+    const int other = normal[axis] < 0.0 ? 2 : 1;
+    const int right = (axis + other) % 3;
+    const int up = (axis + 3 - other) % 3;
+
+    std::vector<glm::dvec2> flat;
+    flat.reserve(corners.size());
+    for (const glm::vec3& corner : corners)
+        flat.emplace_back(corner[right], corner[up]);
+    return flat;
+}
+
+PolygonStrips::PolygonStrips(std::span<const glm::dvec2> points)
+    : points_(points),
+      strip_size_(1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())))),
+      order_(points.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    const auto is_left = [this](int a, int b) { return points_[a].x < points_[b].x; };
+    const auto is_below = [this](int a, int b) { return points_[a].y < points_[b].y; };
+    std::sort(order_.begin(), order_.end(), is_left);
+    for (std::size_t first = 0; first < order_.size(); first += strip_size_) {
+        const std::size_t end = std::min(first + strip_size_, order_.size());
+        left_.push_back(points_[order_[first]].x);
+        right_.push_back(points_[order_[end - 1]].x);
+        const auto begin = order_.begin();
+        std::sort(begin + static_cast<Order::difference_type>(first),
+                  begin + static_cast<Order::difference_type>(end), is_below);
+    }
+}
+
+std::vector<std::array<int, 3>> cut_ears(std::span<const glm::dvec2> points) {
+    return EarCutter(points).cut_all();
+}
 
 std::vector<PolygonTriangle> triangulate_polygon(std::span<const glm::vec3> corners) {
     const std::vector<int> different = different_corners(corners);

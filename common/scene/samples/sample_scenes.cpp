@@ -16,6 +16,61 @@ using Values = std::vector<int>;
 
 constexpr int greatest_seed = std::numeric_limits<int>::max();
 
+// The parts between the colons; one more than there are colons.
+std::vector<std::string_view> split_at_colons(std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t colon = text.find(':');
+        parts.push_back(text.substr(0, colon));
+        if (colon == std::string_view::npos) {
+            return parts;
+        }
+        text.remove_prefix(colon + 1);
+    }
+}
+
+const SampleScene* find_sample(std::string_view name) {
+    for (const SampleScene& sample : sample_scenes()) {
+        if (sample.name == name) {
+            return &sample;
+        }
+    }
+    return nullptr;
+}
+
+std::string pattern_of(const SampleScene& sample) {
+    std::string pattern(sample.name);
+    for (const SampleParameter& parameter : sample.parameters) {
+        pattern += ":" + std::string(parameter.name);
+    }
+    return pattern;
+}
+
+std::string range_of(const SampleParameter& parameter) {
+    return std::to_string(parameter.lowest) + " to " + std::to_string(parameter.highest);
+}
+
+int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
+                   std::string_view text) {
+    const auto value = parse_number<int>(text);
+    if (!value || *value < parameter.lowest || *value > parameter.highest) {
+        throw InputError(pattern_of(sample) + ": " + std::string(parameter.name) +
+                         " is a whole number from " + range_of(parameter) + ", not " +
+                         in_quotes(text) + ".");
+    }
+    return *value;
+}
+
+[[noreturn]] void refuse_name(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const SampleScene& sample : sample_scenes()) {
+        names.push_back(sample.name);
+    }
+    throw InputError(
+        "There is no scene " + in_quotes(name) + "." + did_you_mean(name, names) +
+        " Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
+}
+
 } // namespace
 
 const std::vector<SampleScene>& sample_scenes() {
@@ -108,65 +163,6 @@ const std::vector<SampleScene>& sample_scenes() {
     };
     return scenes;
 }
-
-namespace {
-
-// The parts between the colons; one more than there are colons.
-std::vector<std::string_view> split_at_colons(std::string_view text) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t colon = text.find(':');
-        parts.push_back(text.substr(0, colon));
-        if (colon == std::string_view::npos) {
-            return parts;
-        }
-        text.remove_prefix(colon + 1);
-    }
-}
-
-const SampleScene* find_sample(std::string_view name) {
-    for (const SampleScene& sample : sample_scenes()) {
-        if (sample.name == name) {
-            return &sample;
-        }
-    }
-    return nullptr;
-}
-
-std::string pattern_of(const SampleScene& sample) {
-    std::string pattern(sample.name);
-    for (const SampleParameter& parameter : sample.parameters) {
-        pattern += ":" + std::string(parameter.name);
-    }
-    return pattern;
-}
-
-std::string range_of(const SampleParameter& parameter) {
-    return std::to_string(parameter.lowest) + " to " + std::to_string(parameter.highest);
-}
-
-int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
-                   std::string_view text) {
-    const auto value = parse_number<int>(text);
-    if (!value || *value < parameter.lowest || *value > parameter.highest) {
-        throw InputError(pattern_of(sample) + ": " + std::string(parameter.name) +
-                         " is a whole number from " + range_of(parameter) + ", not " +
-                         in_quotes(text) + ".");
-    }
-    return *value;
-}
-
-[[noreturn]] void refuse_name(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const SampleScene& sample : sample_scenes()) {
-        names.push_back(sample.name);
-    }
-    throw InputError(
-        "There is no scene " + in_quotes(name) + "." + did_you_mean(name, names) +
-        " Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
-}
-
-} // namespace
 
 bool is_sample_name(std::string_view name) {
     return find_sample(name.substr(0, name.find(':'))) != nullptr;

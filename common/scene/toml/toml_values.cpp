@@ -16,6 +16,16 @@ bool comes_back(std::string_view text, float number) {
     return static_cast<float>(value) == number;
 }
 
+std::string short_text(double value) {
+    char text[32];
+    const std::to_chars_result result = std::to_chars(text, text + sizeof text, value);
+    return {text, result.ptr};
+}
+
+std::string range_text(TomlRange range) {
+    return "between " + short_text(range.lowest) + " and " + short_text(range.highest);
+}
+
 } // namespace
 
 // The shortest digits that mean this float. Read as a double and rounded again they are the same
@@ -51,20 +61,6 @@ std::string toml_string_text(std::string_view text) {
     }
     return quoted + "\"";
 }
-
-namespace {
-
-std::string short_text(double value) {
-    char text[32];
-    const std::to_chars_result result = std::to_chars(text, text + sizeof text, value);
-    return {text, result.ptr};
-}
-
-std::string range_text(TomlRange range) {
-    return "between " + short_text(range.lowest) + " and " + short_text(range.highest);
-}
-
-} // namespace
 
 InputError toml_error(const toml::source_region& source, const std::string& sentence) {
     std::string place = source.path ? *source.path : "TOML";

@@ -65,9 +65,9 @@ TEST_CASE("what the parser itself makes of a good number is checked once more", 
 
 TEST_CASE("a file that is no text is an error with its line", "[obj]") {
     check_error("zero_byte.obj",
-                "4: holds a zero byte, so it is no plain text. Save it as UTF-8 text.");
+                "4: holds a zero byte, so it is not plain text. Save it as UTF-8 text.");
     check_error("utf_16.obj",
-                "1: holds a zero byte, so it is no plain text. Save it as UTF-8 text.");
+                "1: holds a zero byte, so it is not plain text. Save it as UTF-8 text.");
 }
 
 TEST_CASE("folders and pipes and devices and missing files are errors", "[obj]") {
