@@ -1,7 +1,6 @@
-#include "grid_knob.h"
+#include "trade_offs.h"
 
 #include "basics/random_numbers.h"
-#include "grid_trail.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
 #include "structure/grid/grid.h"
@@ -14,6 +13,34 @@
 namespace raysteps {
 
 namespace {
+
+constexpr double too_close = 5.0 * 0x1p-24;
+
+float plane_of(const GridShape& shape, int axis, int i) {
+    return grid_plane(shape.lower[axis], shape.cell_size[axis], i);
+}
+
+// The cell that the ray starts in: a plane that it stands on is still before it.
+int first_cell(const GridShape& shape, const Ray& ray, int axis) {
+    int cell = 0;
+    while (cell + 1 < shape.cells[axis] && plane_of(shape, axis, cell + 1) < ray.origin[axis]) {
+        ++cell;
+    }
+    return cell;
+}
+
+double leaving(const GridShape& shape, const Ray& ray, int axis, int cell) {
+    const double along = static_cast<double>(ray.direction[axis]);
+    if (along == 0.0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const int plane = along > 0.0 ? cell + 1 : cell;
+    return (static_cast<double>(plane_of(shape, axis, plane)) -
+            static_cast<double>(ray.origin[axis])) /
+           along;
+}
+
+constexpr float no_end = std::numeric_limits<float>::max();
 
 struct GridMethod {
     std::string name;
@@ -92,23 +119,23 @@ Findings judge_trails(std::span<const glm::uvec4> observed, std::span<const Trai
     return {{strayed}, std::nullopt, {{"at edges of cells", close}}};
 }
 
-void add_trails(Knob& knob, int resolution, const Effort& effort) {
+void add_trails(TradeOffTrials& trade_off, int resolution, const Effort& effort) {
     const auto family = make_trails(resolution, effort);
     for (const GridMethod& method : grid_methods()) {
         const auto trace = std::make_shared<TraceRays>(parts_of(method), effort.limits);
         Parts watched = parts_of(method);
         watched["observer"] = "exhibit/trail_observer.glsl";
         const auto watch = std::make_shared<TraceRays>(std::move(watched), effort.limits);
-        knob.trials.push_back({.method = method.name,
-                               .family = std::to_string(resolution) + " cells across",
-                               .timed_cases = timed_count(effort),
-                               .run = [=] { trace->closest_hits(family->timed, family->scene); },
-                               .examine =
-                                   [=] {
-                                       watch->closest_hits(family->all, family->scene);
-                                       return judge_trails(read_integers(*watch->observations()),
-                                                           family->truth);
-                                   }});
+        trade_off.trials.push_back(
+            {.method = method.name,
+             .family = std::to_string(resolution) + " cells across",
+             .timed_cases = timed_count(effort),
+             .run = [=] { trace->closest_hits(family->timed, family->scene); },
+             .examine =
+                 [=] {
+                     watch->closest_hits(family->all, family->scene);
+                     return judge_trails(read_integers(*watch->observations()), family->truth);
+                 }});
     }
 }
 
@@ -124,7 +151,7 @@ Scene crumbs(int seed) {
     return add_mesh({}, mesh, Material{});
 }
 
-void add_hits(Knob& knob, const Effort& effort) {
+void add_hits(TradeOffTrials& trade_off, const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(crumbs(effort.seed));
     std::vector<RayFamily> rays =
         families_from_inside(scene->corners, effort.judged_rays, effort.seed);
@@ -136,26 +163,53 @@ void add_hits(Knob& knob, const Effort& effort) {
     for (const GridMethod& method : grid_methods()) {
         methods.push_back({method.name, parts_of(method), textures});
     }
-    for (Trial& trial : trace_trials(methods, with_truth(std::move(rays), scene->corners, effort),
-                                     scene->corners, effort)) {
+    for (MethodTrial& trial :
+         trace_trials(methods, with_truth(std::move(rays), scene->corners, effort), scene->corners,
+                      effort)) {
         trial.examine = [examine = std::move(trial.examine), scene] { return examine(); };
-        knob.trials.push_back(std::move(trial));
+        trade_off.trials.push_back(std::move(trial));
     }
 }
 
 } // namespace
 
-Knob grid_knob(const Effort& effort) {
-    Knob knob;
-    knob.name = "grid stepping";
-    knob.question = "Where does a walk through a grid meet the next plane?";
-    knob.unit_of_cases = "ray";
-    knob.unit_of_error = "t, in ulp";
-    for (const int resolution : {64, 256, effort.finest_grid}) {
-        add_trails(knob, resolution, effort);
+Trail grid_trail(const GridShape& shape, const Ray& ray) {
+    glm::ivec3 cell(0);
+    glm::dvec3 leaves(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        cell[axis] = first_cell(shape, ray, axis);
+        leaves[axis] = leaving(shape, ray, axis, cell[axis]);
     }
-    add_hits(knob, effort);
-    return knob;
+    Trail trail;
+    for (;;) {
+        const int number = cell.x + shape.cells.x * (cell.y + shape.cells.y * cell.z);
+        ++trail.visits;
+        trail.mixed = (trail.mixed ^ static_cast<std::uint32_t>(number)) * 16777619U;
+        int axis = leaves.x <= leaves.y ? 0 : 1;
+        axis = leaves[axis] <= leaves.z ? axis : 2;
+        for (int other = 0; other < 3; ++other) {
+            const bool within = leaves[other] - leaves[axis] <= too_close * leaves[axis];
+            trail.is_close = trail.is_close || (other != axis && within);
+        }
+        cell[axis] += ray.direction[axis] > 0.0f ? 1 : -1;
+        if (cell[axis] < 0 || cell[axis] >= shape.cells[axis] || ray.direction[axis] == 0.0f) {
+            return trail;
+        }
+        leaves[axis] = leaving(shape, ray, axis, cell[axis]);
+    }
+}
+
+TradeOffTrials grid_trade_off(const Effort& effort) {
+    TradeOffTrials trade_off;
+    trade_off.name = "grid stepping";
+    trade_off.question = "Where does a walk through a grid meet the next plane?";
+    trade_off.unit_of_cases = "ray";
+    trade_off.unit_of_error = "t, in ulp";
+    for (const int resolution : {64, 256, effort.finest_grid}) {
+        add_trails(trade_off, resolution, effort);
+    }
+    add_hits(trade_off, effort);
+    return trade_off;
 }
 
 } // namespace raysteps

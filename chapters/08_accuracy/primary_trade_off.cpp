@@ -1,4 +1,4 @@
-#include "primary_knob.h"
+#include "trade_offs.h"
 
 #include "gpu/draw.h"
 #include "gpu/gl.h"
@@ -44,12 +44,12 @@ private:
 
 } // namespace
 
-Knob primary_knob(const Effort& effort) {
-    Knob knob;
-    knob.name = "primary rays";
-    knob.question = "Where do the rays of a picture come from?";
-    knob.unit_of_cases = "ray";
-    knob.unit_of_error = "direction, in ulp";
+TradeOffTrials primary_trade_off(const Effort& effort) {
+    TradeOffTrials trade_off;
+    trade_off.name = "primary rays";
+    trade_off.question = "Where do the rays of a picture come from?";
+    trade_off.unit_of_cases = "ray";
+    trade_off.unit_of_error = "direction, in ulp";
     const int size = 4 * effort.picture_size; // a pass that does so little needs more pixels
     for (const float angle : {20.0f, 60.0f, 120.0f}) {
         Camera camera;
@@ -58,7 +58,7 @@ Knob primary_knob(const Effort& effort) {
         camera.vertical_field_of_view = angle;
         const auto add = [&](const std::string& method, const std::string& pass, Shape shape) {
             const auto make = std::make_shared<MakeRays>(pass, shape, camera, size);
-            knob.trials.push_back(
+            trade_off.trials.push_back(
                 {.method = method,
                  .family = std::to_string(static_cast<int>(angle)) + " degrees",
                  .timed_cases = static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
@@ -68,7 +68,7 @@ Knob primary_knob(const Effort& effort) {
         add("interpolated", "pass/rays/interpolate_rays.frag", Shape::rectangle);
         add("direct", "pass/rays/compute_rays.frag", Shape::triangle);
     }
-    return knob;
+    return trade_off;
 }
 
 } // namespace raysteps

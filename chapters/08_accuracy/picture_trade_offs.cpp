@@ -1,11 +1,10 @@
-#include "image_knobs.h"
+#include "trade_offs.h"
 
-#include "judge_picture.h"
-#include "subject.h"
+#include "judges.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
-#include "structure/structure.h"
 #include "structure/padding.h"
+#include "structure/structure.h"
 
 #include <glm/geometric.hpp>
 
@@ -27,7 +26,7 @@ public:
         : scene_(std::move(scene)), size_(effort.picture_size),
           renderer_(scene_, textures_of(scene_),
                     {{"triangle", "triangle/watertight.glsl"},
-                     {"structure", "structure/bvh/bvh_ordered.glsl"}},
+                     {"structure", find_part("structure", "bvh_ordered")}},
                     effort.limits) {}
 
     // The mean of side * side rays a pixel.
@@ -72,72 +71,76 @@ Scene with_lamps(Scene scene, int side) {
 
 using Render = std::function<Image()>;
 
-// One setting of a knob: the first one's picture and where it is wrong are kept to be shown.
-void add_setting(Knob& knob, const std::string& method, const Render& render,
+// One setting of a trade_off: the first one's picture and where it is wrong are kept to be shown.
+void add_setting(TradeOffTrials& trade_off, const std::string& method, const Render& render,
                  const std::shared_ptr<const Image>& truth) {
     const Image picture = render();
-    if (knob.pictures.empty()) {
-        knob.pictures.push_back({"truth", *truth});
-        knob.pictures.push_back({method, picture});
+    if (trade_off.pictures.empty()) {
+        trade_off.pictures.push_back({"truth", *truth});
+        trade_off.pictures.push_back({method, picture});
     }
-    knob.pictures.push_back({method + ": visibly different", mark_differences(picture, *truth)});
-    knob.trials.push_back({.method = method,
-                           .family = "camera",
-                           .timed_cases = picture.pixels.size(),
-                           .run = [render] { render(); },
-                           .examine = [render, truth] { return judge_picture(render(), *truth); }});
+    trade_off.pictures.push_back(
+        {method + ": visibly different", mark_differences(picture, *truth)});
+    trade_off.trials.push_back(
+        {.method = method,
+         .family = "camera",
+         .timed_cases = picture.pixels.size(),
+         .run = [render] { render(); },
+         .examine = [render, truth] { return judge_picture(render(), *truth); }});
 }
 
-Knob picture_knob(const std::string& name, const std::string& question) {
-    Knob knob;
-    knob.name = name;
-    knob.question = question;
-    knob.unit_of_cases = "pixel";
-    knob.unit_of_error = "a pixel, in steps of sRGB";
-    knob.kind = KnobKind::pictures;
-    return knob;
+TradeOffTrials picture_trade_off(const std::string& name, const std::string& question) {
+    TradeOffTrials trade_off;
+    trade_off.name = name;
+    trade_off.question = question;
+    trade_off.unit_of_cases = "pixel";
+    trade_off.unit_of_error = "a pixel, in steps of sRGB";
+    trade_off.kind = TradeOffKind::pictures;
+    return trade_off;
 }
 
 } // namespace
 
-Knob samples_knob(const Effort& effort) {
-    Knob knob = picture_knob("samples a pixel", "How many rays does a pixel need? On mirrors.");
+TradeOffTrials samples_trade_off(const Effort& effort) {
+    TradeOffTrials trade_off =
+        picture_trade_off("samples a pixel", "How many rays does a pixel need? On mirrors.");
     const auto by = std::make_shared<Photographer>(load_scene("mirrors", 1.0f), effort);
     const auto truth =
         std::make_shared<const Image>(by->render(2 * effort.most_samples, usual_depth));
     for (int side = 1; side <= effort.most_samples; ++side) {
         add_setting(
-            knob, std::to_string(side * side) + (side == 1 ? " sample" : " samples"),
+            trade_off, std::to_string(side * side) + (side == 1 ? " sample" : " samples"),
             [by, side] { return by->render(side, usual_depth); }, truth);
     }
-    return knob;
+    return trade_off;
 }
 
-Knob depth_knob(const Effort& effort) {
-    Knob knob = picture_knob("depth", "How many mirrors must a path follow? On mirrors.");
+TradeOffTrials depth_trade_off(const Effort& effort) {
+    TradeOffTrials trade_off =
+        picture_trade_off("depth", "How many mirrors must a path follow? On mirrors.");
     const auto by = std::make_shared<Photographer>(load_scene("mirrors", 1.0f), effort);
     const auto truth = std::make_shared<const Image>(by->render(1, true_depth));
     for (const int depth : {0, 1, 2, 4, 8}) {
         add_setting(
-            knob, std::to_string(depth) + (depth == 1 ? " mirror" : " mirrors"),
+            trade_off, std::to_string(depth) + (depth == 1 ? " mirror" : " mirrors"),
             [by, depth] { return by->render(1, depth); }, truth);
     }
-    return knob;
+    return trade_off;
 }
 
-Knob lamp_knob(const Effort& effort) {
-    Knob knob = picture_knob("points of a lamp",
-                             "How many points must stand for a lamp with an area? On cornell_box.");
+TradeOffTrials lamp_trade_off(const Effort& effort) {
+    TradeOffTrials trade_off = picture_trade_off(
+        "points of a lamp", "How many points must stand for a lamp with an area? On cornell_box.");
     const Scene scene = load_scene("cornell_box", 1.0f);
     Photographer judge(with_lamps(scene, true_lamp_side), effort);
     const auto truth = std::make_shared<const Image>(judge.render(1, usual_depth));
     for (const int side : {1, 2, 4}) {
         const auto by = std::make_shared<Photographer>(with_lamps(scene, side), effort);
         add_setting(
-            knob, std::to_string(side * side) + (side == 1 ? " point" : " points"),
+            trade_off, std::to_string(side * side) + (side == 1 ? " point" : " points"),
             [by] { return by->render(1, usual_depth); }, truth);
     }
-    return knob;
+    return trade_off;
 }
 
 } // namespace raysteps

@@ -1,12 +1,12 @@
-#include "offset_knob.h"
+#include "trade_offs.h"
 
+#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/gl.h"
 #include "gpu/shaders.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
 #include "scene/mesh.h"
-#include "basics/random_numbers.h"
 #include "scene/shapes.h"
 
 #include <glm/geometric.hpp>
@@ -145,16 +145,16 @@ std::string spoken(std::string name) {
 
 } // namespace
 
-Knob offset_knob(const Effort& effort) {
+TradeOffTrials offset_trade_off(const Effort& effort) {
     Effort whole_rows = effort;
     whole_rows.judged_rays = std::max<std::size_t>(effort.judged_rays / row, 1) * row;
-    Knob knob;
-    knob.name = "offset";
-    knob.question = "How does a ray get off the surface that it starts on?";
-    knob.unit_of_cases = "ray";
-    knob.unit_of_error = "origin moved, in radii";
-    const auto trace = std::make_shared<TraceRays>(
-        Parts{{"triangle", "triangle/watertight.glsl"}}, effort.limits);
+    TradeOffTrials trade_off;
+    trade_off.name = "offset";
+    trade_off.question = "How does a ray get off the surface that it starts on?";
+    trade_off.unit_of_cases = "ray";
+    trade_off.unit_of_error = "origin moved, in radii";
+    const auto trace =
+        std::make_shared<TraceRays>(Parts{{"triangle", "triangle/watertight.glsl"}}, effort.limits);
     for (const Shells& shells :
          {Shells{"radius 1", 1.0f, {}, 4e-5f}, Shells{"radius 0.001", 1e-3f, {}, 4e-5f},
           Shells{"radius 1000", 1e3f, {}, 4e-5f},
@@ -162,7 +162,7 @@ Knob offset_knob(const Effort& effort) {
         const auto from = upload_shells(with_points(shells, whole_rows));
         for (const NamedPart& part : list_parts("offset")) {
             const auto leave = std::make_shared<LeaveSurfaces>(part.file, from);
-            knob.trials.push_back(
+            trade_off.trials.push_back(
                 {.method = spoken(part.name),
                  .family = shells.name,
                  .timed_cases = from->shells.points.size(),
@@ -176,7 +176,7 @@ Knob offset_knob(const Effort& effort) {
                      }});
         }
     }
-    return knob;
+    return trade_off;
 }
 
 } // namespace raysteps

@@ -1,4 +1,4 @@
-#include "speed_knob.h"
+#include "trade_offs.h"
 
 #include "gpu/shaders.h"
 #include "hard_cases/aimed_rays.h"
@@ -82,12 +82,12 @@ std::vector<std::shared_ptr<SpeedFamily>> families_of(const Scene& scene, const 
 
 } // namespace
 
-Knob speed_knob(const Scene& scene, const Effort& effort) {
-    Knob knob;
-    knob.name = "speed only";
-    knob.question = "Which choices change the speed and no hit? On " + scene.name + ".";
-    knob.unit_of_cases = "ray";
-    knob.kind = KnobKind::speed_only;
+TradeOffTrials speed_trade_off(const Scene& scene, const Effort& effort) {
+    TradeOffTrials trade_off;
+    trade_off.name = "speed only";
+    trade_off.question = "Which choices change the speed and no hit? On " + scene.name + ".";
+    trade_off.unit_of_cases = "ray";
+    trade_off.kind = TradeOffKind::speed_only;
     const float reach = reach_of(scene.camera.eye, scene.corners);
     TraceRays judge(parts_of("bvh_ordered"), effort.limits);
     const auto judged = build_textures(scene, "bvh_ordered", reach, {});
@@ -103,7 +103,7 @@ Knob speed_knob(const Scene& scene, const Effort& effort) {
         }
         const auto built = build_textures(scene, method.structure, reach, method.values);
         for (const auto& family : families) {
-            knob.trials.push_back(
+            trade_off.trials.push_back(
                 {.method = method.name,
                  .family = family->name,
                  .timed_cases = family->count,
@@ -115,7 +115,7 @@ Knob speed_knob(const Scene& scene, const Effort& effort) {
                      }});
         }
     }
-    return knob;
+    return trade_off;
 }
 
 } // namespace raysteps

@@ -1,4 +1,4 @@
-#include "slab_knob.h"
+#include "trade_offs.h"
 
 #include "basics/box.h"
 #include "basics/random_numbers.h"
@@ -147,7 +147,7 @@ std::string spoken(std::string name) {
 
 } // namespace
 
-Knob slab_knob(const Effort& effort) {
+TradeOffTrials slab_trade_off(const Effort& effort) {
     const glm::vec3 zero(0.0f);
     const std::vector<BoxFamily> families{
         make_family("inside", 1.0f, zero, at_inside, effort),
@@ -157,28 +157,28 @@ Knob slab_knob(const Effort& effort) {
         make_family("corner, 1000 from zero", 1.0f, glm::vec3(1000.0f), at_corner, effort),
         make_family("inside a corner, 1000 from zero", 1.0f, glm::vec3(1000.0f), inside_corner,
                     effort)};
-    Knob knob;
-    knob.name = "slab";
-    knob.question = "Does a ray meet a box?";
-    knob.unit_of_cases = "test";
+    TradeOffTrials trade_off;
+    trade_off.name = "slab";
+    trade_off.question = "Does a ray meet a box?";
+    trade_off.unit_of_cases = "test";
     const std::size_t timed = std::min(effort.timed_rays, effort.judged_rays);
     for (const BoxFamily& family : families) {
         const auto own = std::make_shared<const BoxFamily>(family);
         for (const NamedPart& part : list_parts("slab")) {
             const auto meet = std::make_shared<MeetBoxes>(part.file, family, timed);
-            knob.trials.push_back({.method = spoken(part.name),
-                                   .family = family.name,
-                                   .timed_cases = timed * box_count,
-                                   .run = [meet] { meet->run(); },
-                                   .examine =
-                                       [own, file = part.file] {
-                                           MeetBoxes all(file, *own, own->rays.size());
-                                           all.run();
-                                           return judge_boxes(all.met(), *own);
-                                       }});
+            trade_off.trials.push_back({.method = spoken(part.name),
+                                        .family = family.name,
+                                        .timed_cases = timed * box_count,
+                                        .run = [meet] { meet->run(); },
+                                        .examine =
+                                            [own, file = part.file] {
+                                                MeetBoxes all(file, *own, own->rays.size());
+                                                all.run();
+                                                return judge_boxes(all.met(), *own);
+                                            }});
         }
     }
-    return knob;
+    return trade_off;
 }
 
 } // namespace raysteps

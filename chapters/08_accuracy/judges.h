@@ -1,8 +1,9 @@
 #pragma once
 
-#include "knob.h"
 #include "basics/ray.h"
+#include "image/image.h"
 #include "reference/exact.h"
+#include "trade_off.h"
 
 #include <glm/vec3.hpp>
 
@@ -12,6 +13,9 @@ namespace raysteps {
 
 // The distance from |value| to the next greater float.
 double unit_in_last_place(double value);
+
+// The name of the fault that is a hit lost. On a closed mesh, it is a leak.
+inline const std::string missed_hit = "missed";
 
 // Compares hits with the true ones, ray by ray. A hit at the true triangle, or at one that has a
 // corner in common with it, is right: the error of its t is taken, in ulp of the true t. (Which of
@@ -27,5 +31,20 @@ double unit_in_last_place(double value);
 // what the test with exact areas can promise: docs/numerics.md.)
 Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
                     std::span<const ReferenceHit> truth, std::span<const glm::vec3> corners);
+
+// How far a picture is from the true one: pixels that differ by more than one of the 256 steps of
+// sRGB are faults; the error is that of each pixel in such steps, of the component that differs
+// most; beside it stand the RMSE of the linear colours and the structural similarity.
+Findings judge_picture(const Image& picture, const Image& truth);
+
+// Where two pictures differ: the first one in grey, and red where they do by more than one step.
+Image mark_differences(const Image& picture, const Image& truth);
+
+// How alike two pictures look, by brightness, contrast and pattern in windows of 8 x 8 pixels: 1 is
+// the same, 0 has nothing in common. Of the brightness as sRGB shows it (which is about even to the
+// eye), the mean over windows that overlap by half. Pictures of equal size, 8 pixels wide and high
+// at least; throws InputError else. Source: Wang, Bovik, Sheikh and Simoncelli, "Image Quality
+// Assessment: From Error Visibility to Structural Similarity", 2004.
+double structural_similarity(const Image& a, const Image& b);
 
 } // namespace raysteps
