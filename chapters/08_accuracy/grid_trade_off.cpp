@@ -40,8 +40,6 @@ double leaving(const GridShape& shape, const Ray& ray, int axis, int cell) {
            along;
 }
 
-constexpr float no_end = std::numeric_limits<float>::max();
-
 struct GridMethod {
     std::string name;
     std::string file;

@@ -77,11 +77,11 @@ std::shared_ptr<const Subject> slivers_subject() {
     return make_subject(std::move(scene), 0.0f);
 }
 
-std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<AimedFamily> families,
+std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<RayFamily> families,
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort) {
     std::vector<std::shared_ptr<const TraceFamily>> judged;
-    for (AimedFamily& family : families) {
+    for (RayFamily& family : families) {
         const std::size_t timed = std::min(effort.timed_rays, family.rays.size());
         RayTextures all = upload_rays(family.rays);
         RayTextures first = upload_rays(std::span(family.rays).first(timed));

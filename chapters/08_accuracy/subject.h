@@ -1,6 +1,6 @@
 #pragma once
 
-#include "aimed_rays.h"
+#include "hard_cases/aimed_rays.h"
 #include "reference/exact.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
@@ -61,7 +61,7 @@ struct TraceFamily {
 };
 
 // The families with the truth of exact arithmetic on the float inputs.
-std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<AimedFamily> families,
+std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<RayFamily> families,
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort);
 

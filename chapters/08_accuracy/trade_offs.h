@@ -39,7 +39,7 @@ struct TriangleMethod {
 
 const std::vector<TriangleMethod>& triangle_methods();
 
-// All triangle tests, on families of rays at the subject (08_accuracy/aimed_rays.h).
+// All triangle tests, on families of rays at the subject (hard_cases/aimed_rays.h).
 TradeOffTrials triangle_trade_off(const std::string& name,
                                   const std::shared_ptr<const Subject>& subject,
                                   const Effort& effort);

@@ -121,7 +121,7 @@ TradeOffTrials triangle_trade_off(const std::string& name,
     }
     const std::span<const glm::vec3> corners = subject->scene.corners;
     const auto families =
-        with_truth(aim_at(corners, effort.judged_rays, effort.seed), corners, effort);
+        with_truth(families_from_inside(corners, effort.judged_rays, effort.seed), corners, effort);
     TradeOffTrials trade_off;
     trade_off.name = name;
     trade_off.question = "Where does a ray meet a triangle? On " + subject->scene.name + ".";
@@ -159,9 +159,10 @@ TradeOffTrials hit_picture_trade_off(const std::shared_ptr<const Subject>& subje
 TradeOffTrials precision_trade_off(const Effort& effort) {
     const auto scene = std::make_shared<const Scene>(
         add_mesh({}, sphere({0.3f, -0.2f, 0.1f}, 1.0f, 8), Material{}));
-    std::vector<AimedFamily> families;
+    std::vector<RayFamily> families;
     float reach = 0.0f;
-    for (AimedFamily& family : aim_at(scene->corners, effort.judged_rays, effort.seed)) {
+    for (RayFamily& family :
+         families_from_inside(scene->corners, effort.judged_rays, effort.seed)) {
         if (family.name != "leaving" && family.name != "axis" && family.name != "inside") {
             reach = std::max(reach, reach_of(family.rays, scene->corners));
             families.push_back(std::move(family));

@@ -1,4 +1,3 @@
-#include "08_accuracy/aimed_rays.h"
 #include "08_accuracy/judges.h"
 #include "08_accuracy/trade_offs.h"
 #include "catch.h"
