@@ -85,7 +85,7 @@ std::size_t timed_count(const Effort& effort) {
 
 struct TrailFamily {
     std::vector<Ray> rays;
-    std::vector<Trail> truth;
+    std::vector<GridTrail> truth;
     SceneTextures scene;
     RayTextures all;
     RayTextures timed;
@@ -94,7 +94,7 @@ struct TrailFamily {
 std::shared_ptr<const TrailFamily> make_trails(int resolution, const Effort& effort) {
     const Grid grid = empty_grid(resolution);
     std::vector<Ray> rays = rays_across(effort);
-    std::vector<Trail> truth;
+    std::vector<GridTrail> truth;
     for (const Ray& ray : rays) {
         truth.push_back(grid_trail(grid.shape, ray));
     }
@@ -106,7 +106,7 @@ std::shared_ptr<const TrailFamily> make_trails(int resolution, const Effort& eff
         std::move(rays), std::move(truth), std::move(scene), std::move(all), std::move(timed)});
 }
 
-Findings judge_trails(std::span<const glm::uvec4> observed, std::span<const Trail> truth) {
+Findings judge_trails(std::span<const glm::uvec4> observed, std::span<const GridTrail> truth) {
     Fault strayed{"other cells", 0, truth.size()};
     double close = 0.0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -171,14 +171,14 @@ void add_hits(TradeOffTrials& trade_off, const Effort& effort) {
 
 } // namespace
 
-Trail grid_trail(const GridShape& shape, const Ray& ray) {
+GridTrail grid_trail(const GridShape& shape, const Ray& ray) {
     glm::ivec3 cell(0);
     glm::dvec3 leaves(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         cell[axis] = first_cell(shape, ray, axis);
         leaves[axis] = leaving(shape, ray, axis, cell[axis]);
     }
-    Trail trail;
+    GridTrail trail;
     for (;;) {
         const int number = cell.x + shape.cells.x * (cell.y + shape.cells.y * cell.z);
         ++trail.visits;

@@ -74,7 +74,7 @@ TradeOffTrials grid_trade_off(const Effort& effort);
 
 // Which cells a ray visits, as shaders/exhibit/trail_observer.glsl writes it down: how many, and a
 // number for their order.
-struct Trail {
+struct GridTrail {
     std::uint32_t visits = 0;
     std::uint32_t mixed = 2166136261U;
     bool is_close = false; // to an edge of a cell, so that floats cannot tell the order
@@ -85,7 +85,7 @@ struct Trail {
 // floats, (plane - origin) / direction, is rounded twice: by 2 e t, with e = 2^-24. So where two of
 // them are within 4 e t of each other, and a fifth for the terms in e^2, either order is right, and
 // a triangle that is listed by the padding of structure/padding.h is found in both.
-Trail grid_trail(const GridShape& shape, const Ray& ray);
+GridTrail grid_trail(const GridShape& shape, const Ray& ray);
 
 // Rays per pixel: 1, 4, 9 ... in a square; the truth has twice as many along each side as the most.
 TradeOffTrials samples_trade_off(const Effort& effort);

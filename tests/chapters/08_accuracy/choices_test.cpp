@@ -84,7 +84,7 @@ TEST_CASE("only the error bound leaves a surface in every unit", "[08][offset]")
 TEST_CASE("a trail on paper is the trail of the grid", "[08][grid]") {
     GridShape shape;
     shape.cells = {3, 3, 1};
-    const Trail trail = grid_trail(shape, {{0.5f, 0.25f, 0.5f}, {1, 0.5f, 0}, 0.0f, no_end});
+    const GridTrail trail = grid_trail(shape, {{0.5f, 0.25f, 0.5f}, {1, 0.5f, 0}, 0.0f, no_end});
     // y = 0.25 + (x - 0.5) / 2 comes to 1 at x = 2, in the edge of four cells: x first.
     CHECK(trail.visits == 4); // 0, 1, 2, then 5 and out
     CHECK(trail.is_close);
