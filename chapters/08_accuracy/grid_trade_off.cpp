@@ -5,10 +5,9 @@
 #include "scene/shapes.h"
 #include "structure/grid/grid.h"
 #include "structure/padding.h"
-#include "subject.h"
-#include "trace_trials.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace raysteps {
 

@@ -5,7 +5,6 @@
 #include "render/rays.h"
 #include "render/trace_rays.h"
 #include "structure/padding.h"
-#include "subject.h"
 
 #include <cstring>
 #include <map>

@@ -2,6 +2,7 @@
 
 #include "basics/random_numbers.h"
 #include "catch.h"
+#include "hard_cases/aimed_rays.h"
 #include "reference/exact.h"
 #include "scene/shapes.h"
 #include "support/error_of.h"
