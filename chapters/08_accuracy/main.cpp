@@ -1,6 +1,6 @@
 // Chapter 08: what accuracy costs in time, choice by choice, in one report.
-#include "program/command.h"
 #include "make_report.h"
+#include "program/command.h"
 
 using namespace raysteps;
 
@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     app.add_flag("--quick", quick, "under a minute, as it is usual");
     app.add_flag("--full", full, "more rays, larger pictures and more rounds: some minutes")
         ->excludes("--quick");
-    app.add_option("--knobs", request.knobs, "only these choices, between commas: " + knob_names())
+    app.add_option("--trade-offs,--knobs", request.trade_offs,
+                   "only these, between commas: " + trade_off_names())
         ->delimiter(',');
     app.add_option("--seed", request.seed, "of all random rays")
         ->check(CLI::NonNegativeNumber)

@@ -1,45 +1,320 @@
 #include "make_report.h"
 
-#include "knobs.h"
-#include "page.h"
-#include "run_knob.h"
-#include "scene_needs.h"
-#include "tables.h"
-#include "circumstances.h"
-#include "program/deliver.h"
-#include "program/progress.h"
 #include "basics/error.h"
 #include "basics/file.h"
+#include "basics/text.h"
+#include "gpu/context.h"
 #include "image/image_file.h"
-#include "numbers.h"
+#include "program/deliver.h"
+#include "program/progress.h"
+#include "scene_needs.h"
 #include "structure/padding.h"
+#include "subject.h"
+#include "trade_offs.h"
+#include "verdict.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <iostream>
+#include <memory>
 
 namespace raysteps {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes_of_picture = 64U << 20U;
+using Json = nlohmann::ordered_json;
+
+// All that a report says.
+struct AccuracyReport {
+    std::string scene;
+    std::vector<std::pair<std::string, std::string>> circumstances{};
+    std::vector<std::string> scene_needs{}; // sentences
+    std::vector<TradeOffResult> results{};
+    std::vector<Advice> advice{};
+};
+
+// The first line that a command prints; empty where it fails.
+std::string line_of(const std::string& command) {
+    // NOLINTNEXTLINE(cert-env33-c): the words are ours
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    char line[128] = "";
+    if (!pipe || std::fgets(line, sizeof line, pipe.get()) == nullptr) {
+        return "";
+    }
+    std::string text = line;
+    while (!text.empty() && text.back() == '\n') {
+        text.pop_back();
+    }
+    return text;
+}
+
+std::string commit() {
+    const std::string known = line_of("git -C '" RAYSTEPS_SOURCE_DIR
+                                      "' describe --always --dirty --abbrev=12 2>/dev/null");
+    return known.empty() ? "unknown: no git, or no repository" : known;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", std::gmtime(&now));
+    return text;
+}
+
+// The processor time of the process where OpenGL runs on the processor, else the clock on the wall.
+Clock clock_of_renderer() {
+    const std::string renderer = renderer_name();
+    for (const std::string on_processor : {"llvmpipe", "softpipe", "SWR"}) {
+        if (renderer.find(on_processor) != std::string::npos) {
+            return Clock::processor;
+        }
+    }
+    return Clock::wall;
+}
+
+// What somebody needs to measure again: date, renderer, clock, compiler and its flags, the commit
+// of the source, seed, rounds and rays.
+std::vector<std::pair<std::string, std::string>> circumstances_of(const Effort& effort) {
+    return {
+        {"date", today()},
+        {"renderer", renderer_name()},
+        {"time", clock_of_renderer() == Clock::processor
+                     ? "processor time of the process, all threads together"
+                     : "time on the wall"},
+        {"compiler", RAYSTEPS_COMPILER},
+        {"flags", RAYSTEPS_FLAGS},
+        {"commit", commit()},
+        {"seed", std::to_string(effort.seed)},
+        {"rounds", fmt::format("{}, after one that is dropped; methods take turns", effort.rounds)},
+        {"rays per family",
+         fmt::format("{}, of which {} are timed", effort.judged_rays, effort.timed_rays)}};
+}
+
+std::string measures_of(const Findings& findings, const std::string& between) {
+    std::string text;
+    for (const Measure& measure : findings.measures) {
+        text += fmt::format("{}{} {:.6g}", between, measure.name, measure.value);
+    }
+    return text;
+}
+
+// For people: one line per family and method.
+std::string table_of(const TradeOffResult& result) {
+    std::string table = fmt::format(
+        "\n{}: {}\nfaults are per million cases, with 95 % bounds{}\n", result.name,
+        result.question, result.unit_of_error.empty() ? "" : "; error: " + result.unit_of_error);
+    for (const std::string& family : families_of(result)) {
+        table += "  " + family + "\n";
+        for (const Measurement& one : result.measurements) {
+            if (one.family != family) {
+                continue;
+            }
+            table += fmt::format("    {:26} {:8.4g} ns per {} ({:.4g} to {:.4g})", one.method,
+                                 one.cost.median, result.unit_of_cases, one.cost.lowest,
+                                 one.cost.highest);
+            for (const Fault& fault : one.findings.faults) {
+                table += fmt::format("  {} {}", fault.name,
+                                     to_string(fault_rate(fault.count, fault.of)));
+            }
+            if (one.findings.error) {
+                table += "  error " + to_string(*one.findings.error);
+            }
+            table += measures_of(one.findings, "  ") + "\n";
+        }
+    }
+    return table;
+}
+
+// For programs: a line of names, then one line per trade-off, family and method.
+std::string to_csv(std::span<const TradeOffResult> results) {
+    std::string csv = "trade_off,family,method,timed_cases,nanoseconds,lowest,highest,faults,of,"
+                      "per_million,lower_bound,upper_bound,error_median,error_99,error_largest,"
+                      "unit_of_error,measures\n";
+    for (const TradeOffResult& result : results) {
+        for (const Measurement& one : result.measurements) {
+            const Fault total = total_fault(one.findings);
+            const FaultRate rate = fault_rate(total.count, total.of);
+            csv += csv_field(result.name) + "," + csv_field(one.family) + "," +
+                   csv_field(one.method) +
+                   fmt::format(",{},{:.9g},{:.9g},{:.9g},", one.timed_cases, one.cost.median,
+                               one.cost.lowest, one.cost.highest);
+            csv += total.of == 0 ? ",,,,,"
+                                 : fmt::format("{},{},{:.9g},{:.9g},{:.9g},", total.count, total.of,
+                                               rate.counted, rate.lowest, rate.highest);
+            const auto& error = one.findings.error;
+            csv += error ? fmt::format("{:.9g},{:.9g},{:.9g},", error->median, error->percentile_99,
+                                       error->largest)
+                         : ",,,";
+            csv += csv_field(result.unit_of_error) + "," +
+                   csv_field(measures_of(one.findings, "; ")) + "\n";
+        }
+    }
+    return csv;
+}
+
+std::string file_name_of(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; }, '_');
+    return text;
+}
+
+// Within the folder of the report.
+std::string file_of(const TradeOffResult& result, const TradeOffPicture& picture) {
+    return "pictures/" + file_name_of(result.name + " " + picture.caption) + ".png";
+}
+
+std::string to_word(TradeOffKind kind) {
+    switch (kind) {
+    case TradeOffKind::methods:
+        return "methods";
+    case TradeOffKind::pictures:
+        return "pictures";
+    case TradeOffKind::illustration:
+        return "illustration";
+    case TradeOffKind::speed_only:
+        break;
+    }
+    return "speed_only";
+}
+
+Json rate_numbers(const FaultRate& rate) {
+    return {
+        {"per_million", rate.counted}, {"lower_bound", rate.lowest}, {"upper_bound", rate.highest}};
+}
+
+// A method over all families.
+Json method_numbers(const MethodSummary& method, bool dominated) {
+    Json numbers{{"method", method.method},
+                 {"nanoseconds", method.cost.median},
+                 {"lowest", method.cost.lowest},
+                 {"highest", method.cost.highest},
+                 {"dominated", dominated}};
+    if (method.faults) {
+        numbers["faults"] = rate_numbers(*method.faults);
+    }
+    if (method.error) {
+        numbers["error"] = *method.error;
+    }
+    return numbers;
+}
+
+Json measurement_numbers(const Measurement& one) {
+    Json numbers{{"method", one.method},           {"family", one.family},
+                 {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
+                 {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
+                 {"faults", Json::array()},        {"measures", Json::object()}};
+    for (const Fault& fault : one.findings.faults) {
+        Json& own = numbers["faults"].emplace_back(
+            Json{{"name", fault.name}, {"count", fault.count}, {"of", fault.of}});
+        own.update(rate_numbers(fault_rate(fault.count, fault.of)));
+    }
+    if (one.findings.error) {
+        numbers["error"] = {{"median", one.findings.error->median},
+                            {"percentile_99", one.findings.error->percentile_99},
+                            {"largest", one.findings.error->largest}};
+    }
+    for (const Measure& measure : one.findings.measures) {
+        numbers["measures"][measure.name] = measure.value;
+    }
+    return numbers;
+}
+
+Json result_numbers(const TradeOffResult& result) {
+    Json numbers{{"trade_off", result.name},
+                 {"question", result.question},
+                 {"source", result.source},
+                 {"kind", to_word(result.kind)},
+                 {"unit_of_cases", result.unit_of_cases},
+                 {"unit_of_error", result.unit_of_error},
+                 {"methods", Json::array()},
+                 {"measurements", Json::array()},
+                 {"pictures", Json::array()}};
+    const std::vector<MethodSummary> summaries = summarize_methods(result);
+    for (const MethodSummary& method : summaries) {
+        numbers["methods"].push_back(method_numbers(method, is_dominated(method, summaries)));
+    }
+    for (const Measurement& one : result.measurements) {
+        numbers["measurements"].push_back(measurement_numbers(one));
+    }
+    for (const TradeOffPicture& picture : result.pictures) {
+        numbers["pictures"].push_back(
+            {{"caption", picture.caption}, {"file", file_of(result, picture)}});
+    }
+    return numbers;
+}
+
+// For programs, and for scripts/accuracy_page.
+Json to_json(const AccuracyReport& report) {
+    Json numbers{{"scene", report.scene},
+                 {"circumstances", Json::object()},
+                 {"scene_needs", report.scene_needs},
+                 {"advice", Json::array()},
+                 {"trade_offs", Json::array()}};
+    for (const auto& [name, value] : report.circumstances) {
+        numbers["circumstances"][name] = value;
+    }
+    for (const Advice& one : report.advice) {
+        numbers["advice"].push_back({{"trade_off", one.trade_off},
+                                     {"need", one.need},
+                                     {"condition", one.condition},
+                                     {"methods", one.methods}});
+    }
+    for (const TradeOffResult& result : report.results) {
+        numbers["trade_offs"].push_back(result_numbers(result));
+    }
+    return numbers;
+}
+
+// accuracy.html beside the JSON file, by the script of the project.
+void make_page(const std::filesystem::path& json) {
+    std::filesystem::path page = json;
+    page.replace_extension(".html");
+    std::string words[] = {"python3", "-B", RAYSTEPS_SOURCE_DIR "/scripts/accuracy_page",
+                           json.string()};
+    char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
+                         nullptr};
+    pid_t child = 0;
+    int status = 0;
+    if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments, environ) != 0 ||
+        (waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 127)) {
+        throw MachineError(page.string() +
+                           ": python3 is missing, so there is no page. Install the "
+                           "package python3, and run python3 "
+                           "scripts/accuracy_page " +
+                           json.string() + ".");
+    }
+    if (status != 0) {
+        throw MachineError(page.string() + ": scripts/accuracy_page does not make it, for the "
+                                           "reason above.");
+    }
+    std::cout << "wrote     " << page.string() << "\n";
+}
+
 constexpr std::uintmax_t most_bytes_of_report = 256U << 20U;
 
 // Exact truth takes a time for each ray and triangle; a family keeps so many rays at least.
 constexpr std::size_t most_decisions = 400'000'000;
 constexpr std::size_t fewest_rays = 1024;
 
-std::vector<KnobMaker> chosen_knobs(const std::vector<std::string>& names) {
-    std::vector<KnobMaker> chosen;
-    for (const KnobMaker& maker : knob_makers()) {
+std::vector<TradeOffMaker> chosen_makers(const std::vector<std::string>& names) {
+    std::vector<TradeOffMaker> chosen;
+    for (const TradeOffMaker& maker : trade_off_makers()) {
         if (names.empty() || std::find(names.begin(), names.end(), maker.name) != names.end()) {
             chosen.push_back(maker);
         }
     }
     for (const std::string& name : names) {
         if (std::none_of(chosen.begin(), chosen.end(),
-                         [&](const KnobMaker& maker) { return maker.name == name; })) {
-            throw InputError("--knobs " + name + ": there is no such choice. Take some of " +
-                             knob_names() + ".");
+                         [&](const TradeOffMaker& maker) { return maker.name == name; })) {
+            throw InputError("--trade-offs " + name + ": there is no such choice. Take some of " +
+                             trade_off_names() + ".");
         }
     }
     return chosen;
@@ -52,25 +327,6 @@ Effort affordable(Effort effort, const Subject& mesh) {
     effort.judged_rays = std::min(effort.judged_rays, rays);
     effort.timed_rays = std::min(effort.timed_rays, effort.judged_rays);
     return effort;
-}
-
-std::string file_name_of(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(),
-        [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; }, '_');
-    return text;
-}
-
-// The pictures as files, and their bytes for the page.
-std::vector<PagePicture> write_pictures(const Command& command, const KnobResult& result) {
-    std::vector<PagePicture> pictures;
-    for (const KnobPicture& picture : result.pictures) {
-        const std::filesystem::path path =
-            command.out / "pictures" / (file_name_of(result.name + " " + picture.caption) + ".png");
-        write_png(path, picture.image);
-        pictures.push_back({result.name, picture.caption, read_file(path, most_bytes_of_picture)});
-    }
-    return pictures;
 }
 
 void write(const std::filesystem::path& path, const std::string& text) {
@@ -91,7 +347,7 @@ void check_writable(const std::filesystem::path& path) {
 void print_advice(const std::vector<Advice>& advice) {
     std::cout << "\nWhat to take (no rank among those named together)\n";
     for (const Advice& one : advice) {
-        std::cout << "  " << one.knob << ", " << one.need << " (" << one.condition << "):";
+        std::cout << "  " << one.trade_off << ", " << one.need << " (" << one.condition << "):";
         for (std::size_t i = 0; i < one.methods.size(); ++i) {
             std::cout << (i == 0 ? " " : "; ") << one.methods[i];
         }
@@ -112,9 +368,9 @@ Effort full_effort() {
     return effort;
 }
 
-std::string knob_names() {
+std::string trade_off_names() {
     std::string names;
-    for (const KnobMaker& maker : knob_makers()) {
+    for (const TradeOffMaker& maker : trade_off_makers()) {
         names += (names.empty() ? "" : ", ") + maker.name;
     }
     return names;
@@ -132,39 +388,38 @@ int side_of_pictures(const Command& command) {
 }
 
 void make_report(const Command& command, const ReportRequest& request) {
-    const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
+    const std::vector<TradeOffMaker> makers = chosen_makers(request.trade_offs);
     Scene scene = open_scene(command);
     const auto context = open_context(command);
     if (!command.json.empty()) {
         check_writable(command.json);
     }
     check_writable(command.out / "accuracy.html");
-    KnobRequest knobs{nullptr, nullptr, request.effort};
-    knobs.effort.limits = measure_limits();
-    knobs.effort.seed = request.seed;
-    knobs.effort.rounds = request.rounds;
+    TradeOffRequest trade_offs{nullptr, nullptr, request.effort};
+    trade_offs.effort.limits = measure_limits();
+    trade_offs.effort.seed = request.seed;
+    trade_offs.effort.rounds = request.rounds;
     const SceneNeeds needs = find_needs(scene);
     const float reach = reach_of(scene.camera.eye, scene.corners);
-    knobs.scene = make_subject(std::move(scene), reach);
+    trade_offs.scene = make_subject(std::move(scene), reach);
     const bool aim_at_scene = request.own_scene && needs.triangles > needs.without_area;
-    knobs.mesh = aim_at_scene ? knobs.scene : usual_subject();
-    knobs.effort = affordable(knobs.effort, *knobs.mesh);
+    trade_offs.mesh = aim_at_scene ? trade_offs.scene : usual_subject();
+    trade_offs.effort = affordable(trade_offs.effort, *trade_offs.mesh);
 
     AccuracyReport report{.scene = command.scene,
-                          .circumstances = circumstances_of(knobs.effort),
+                          .circumstances = circumstances_of(trade_offs.effort),
                           .scene_needs = to_sentences(needs)};
-    std::vector<PagePicture> pictures;
-    for (const KnobMaker& maker : makers) {
-        const Knob knob = maker.make(knobs);
-        report.results.push_back(run_knob(knob, request.rounds, clock_of_renderer(),
-                                          show_progress("comparing " + maker.name)));
-        const KnobResult& result = report.results.back();
-        std::cout << to_table(result) << std::flush;
+    for (const TradeOffMaker& maker : makers) {
+        report.results.push_back(measure_trade_off(maker.make(trade_offs), request.rounds,
+                                                   clock_of_renderer(),
+                                                   show_progress("comparing " + maker.name)));
+        const TradeOffResult& result = report.results.back();
+        std::cout << table_of(result) << std::flush;
         for (Advice& advice : advise(result)) {
             report.advice.push_back(std::move(advice));
         }
-        for (PagePicture& picture : write_pictures(command, result)) {
-            pictures.push_back(std::move(picture));
+        for (const TradeOffPicture& picture : result.pictures) {
+            write_png(command.out / file_of(result, picture), picture.image);
         }
     }
     print_advice(report.advice);
@@ -174,8 +429,9 @@ void make_report(const Command& command, const ReportRequest& request) {
     }
     write(command.out / "accuracy.csv", to_csv(report.results));
     write(command.out / "accuracy.json", to_json(report).dump(2) + "\n");
-    write(command.out / "accuracy.html", to_html(report, pictures));
     deliver_numbers(command, to_json(report));
+    std::cout << std::flush;
+    make_page(command.out / "accuracy.json");
 }
 
 } // namespace raysteps

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "effort.h"
 #include "program/command.h"
+#include "trade_off.h"
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace raysteps {
 
 struct ReportRequest {
     Effort effort{};
-    std::vector<std::string> knobs{}; // all where none is named
+    std::vector<std::string> trade_offs{}; // all where none is named
     int seed = 1;
     int rounds = 9;
     bool own_scene = false; // aim the families of rays at the scene, not at the usual sphere
@@ -19,19 +19,20 @@ struct ReportRequest {
 // That of --full.
 Effort full_effort();
 
-// The names that --knobs takes.
-std::string knob_names();
+// The names that --trade-offs takes.
+std::string trade_off_names();
 
 // The report is a page: throws InputError where --window was given.
 void refuse_window(const Command& command);
 
-// Of --size the smaller side, since pictures are square, and 8 pixels at least, which is what
-// 08_accuracy/similarity.h looks at.
+// The smaller side of --size, since pictures are square, and 8 pixels at least, the window in which
+// 08_accuracy/judges.h compares them.
 int side_of_pictures(const Command& command);
 
-// Measures, prints a table a knob, and writes accuracy.html, accuracy.csv, accuracy.json and the
-// pictures to the folder of --out. Whether files can be written there, and the one of --json, is
-// asked before any work; throws InputError where they cannot.
+// Measures, prints a table per trade-off, and writes accuracy.json, accuracy.csv and the pictures
+// to the folder of --out; then scripts/accuracy_page makes accuracy.html of them. Checks before any
+// work whether files can be written there, and the one of --json; throws InputError where they
+// cannot, and MachineError where there is no Python to make the page.
 void make_report(const Command& command, const ReportRequest& request);
 
 } // namespace raysteps

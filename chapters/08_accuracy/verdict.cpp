@@ -1,5 +1,7 @@
 #include "verdict.h"
 
+#include "judges.h"
+
 #include <algorithm>
 #include <functional>
 
@@ -7,7 +9,8 @@ namespace raysteps {
 
 namespace {
 
-// What a preview may get wrong, per million, in the first family of a knob, that of ordinary cases.
+// What a preview may get wrong, per million, in the first family, that of ordinary
+// cases.
 constexpr double faults_of_preview = 1000.0;
 constexpr double similarity_of_preview = 0.9;
 constexpr double similarity_of_default = 0.99;
@@ -20,6 +23,9 @@ void add(MethodSummary& summary, const Measurement& one) {
             summary.faults = rate;
             summary.worst_family = one.family;
         }
+    }
+    for (const Fault& fault : one.findings.faults) {
+        summary.missed += fault.name == missed_hit ? fault.count : 0;
     }
     if (one.findings.error) {
         summary.error = std::max(summary.error.value_or(0.0), one.findings.error->percentile_99);
@@ -49,7 +55,7 @@ struct Need {
 };
 
 // Of the first family, that of ordinary cases.
-double usual_faults(const KnobResult& result, const std::string& method) {
+double usual_faults(const TradeOffResult& result, const std::string& method) {
     const Measurement* const one =
         measurement_of(result, method, result.measurements.front().family);
     const Fault total = one == nullptr ? Fault{} : total_fault(one->findings);
@@ -70,18 +76,16 @@ std::vector<Need> needs_of_pictures(double best) {
              [best](const MethodSummary& m) { return m.similarity >= best; }}};
 }
 
-std::vector<Need> needs_of_methods(const KnobResult& result, double least_error) {
+std::vector<Need> needs_of_methods(const TradeOffResult& result, double least_error) {
     std::vector<Need> needs{
         {"preview", "under 0.1 % faults in ordinary cases: " + result.measurements.front().family,
          [&](const MethodSummary& m) {
              return !m.faults || usual_faults(result, m.method) < faults_of_preview;
          }},
         {"default", "no fault in any family", is_faultless}};
-    if (result.name.starts_with("triangle")) {
-        needs.push_back({"closed mesh", "no ray slips through an edge or a corner",
-                         [&](const MethodSummary& m) {
-                             return is_faultless(m) && m.method.starts_with("watertight");
-                         }});
+    if (result.on_closed_mesh) {
+        needs.push_back({"closed mesh", "no ray slipped through the closed mesh in any family",
+                         [](const MethodSummary& m) { return m.faults && m.missed == 0; }});
     }
     needs.push_back(
         {"reference", "no fault, and the least error", [least_error](const MethodSummary& m) {
@@ -105,7 +109,7 @@ std::vector<std::string> cheapest(std::vector<MethodSummary> methods) {
 
 } // namespace
 
-std::vector<MethodSummary> summarize_methods(const KnobResult& result) {
+std::vector<MethodSummary> summarize_methods(const TradeOffResult& result) {
     std::vector<MethodSummary> summaries;
     const double families = static_cast<double>(families_of(result).size());
     for (const std::string& method : methods_of(result)) {
@@ -140,8 +144,8 @@ bool is_dominated(const MethodSummary& method, std::span<const MethodSummary> al
                        [&](const MethodSummary& other) { return dominates(other, method); });
 }
 
-std::vector<Advice> advise(const KnobResult& result) {
-    if ((result.kind != KnobKind::methods && result.kind != KnobKind::pictures) ||
+std::vector<Advice> advise(const TradeOffResult& result) {
+    if ((result.kind != TradeOffKind::methods && result.kind != TradeOffKind::pictures) ||
         result.measurements.empty()) {
         return {};
     }
@@ -155,7 +159,7 @@ std::vector<Advice> advise(const KnobResult& result) {
         }
     }
     std::vector<Advice> advice;
-    for (const Need& need : result.kind == KnobKind::pictures
+    for (const Need& need : result.kind == TradeOffKind::pictures
                                 ? needs_of_pictures(best)
                                 : needs_of_methods(result, least_error)) {
         std::vector<MethodSummary> fit;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "fault_rate.h"
-#include "knob.h"
+#include "trade_off.h"
 
 #include <optional>
 #include <span>
@@ -14,15 +13,16 @@ namespace raysteps {
 // its costs.
 struct MethodSummary {
     std::string method;
-    std::optional<FaultRate> faults{}; // nothing where the knob counts none
+    std::optional<FaultRate> faults{}; // nothing where the trade-off counts none
     std::string worst_family{};        // by faults
+    std::size_t missed = 0;            // hits, in all families together
     std::optional<double> error{};     // the greatest of 99 % of each family
     double similarity = 1.0;           // of pictures, the least
     Cost cost{};
 };
 
-// In the order of the knob.
-std::vector<MethodSummary> summarize_methods(const KnobResult& result);
+// In the order of the trade-off.
+std::vector<MethodSummary> summarize_methods(const TradeOffResult& result);
 
 // Whether a is surely better than b in one respect, and not surely worse in any other. Of costs and
 // faults, ranges that overlap decide nothing; errors are compared as they are.
@@ -34,13 +34,13 @@ bool is_dominated(const MethodSummary& method, std::span<const MethodSummary> al
 // those whose ranges overlap with its range, so that no rank is given among them.
 struct Advice {
     std::string need;
-    std::string knob;
+    std::string trade_off;
     std::vector<std::string> methods; // the cheapest median first; empty where none will do
     std::string condition;            // that they had to meet
 };
 
-// For preview, default, and reference; of triangle tests also for closed meshes. Nothing of knobs
-// that change only the speed.
-std::vector<Advice> advise(const KnobResult& result);
+// For preview, default, and reference; where rays were traced at a closed mesh also for that:
+// methods by which none of them was lost. Nothing for trade-offs that change only the speed.
+std::vector<Advice> advise(const TradeOffResult& result);
 
 } // namespace raysteps

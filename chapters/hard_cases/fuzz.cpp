@@ -110,7 +110,7 @@ std::optional<FuzzFault> find_different_hit(const HardScene& made,
     for (std::size_t m = 1; m < methods.size(); ++m) {
         const std::vector<Hit> hits = methods[m].trace(made);
         for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (count_different(std::span(&hits[i], 1), std::span(&loop[i], 1)) > 0) {
+            if (count_other_hits(std::span(&hits[i], 1), std::span(&loop[i], 1)) > 0) {
                 return FuzzFault{0, methods[m].name,
                                  "finds " + to_text(hits[i]) + ", the loop " + to_text(loop[i]),
                                  made};

@@ -36,7 +36,7 @@ std::vector<TrialRow> cut_walks(const TrialTools& tools) {
     for (const int rounds : {1, 7, 64}) {
         const std::vector<Hit> cut = hits_in_launches(scene, made.rays, TraceRays(parts, rounds));
         rows.push_back(promised_row(std::to_string(rounds) + " rounds a launch", "GPU",
-                                    "the bits of a whole walk", count_different(cut, whole),
+                                    "the bits of a whole walk", count_other_hits(cut, whole),
                                     cut.size()));
     }
     return rows;

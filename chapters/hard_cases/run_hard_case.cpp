@@ -95,7 +95,7 @@ std::size_t count_untrue(const HardCase& hard_case, const Batch& batch, std::spa
 std::size_t count_unlike(const HardCase& hard_case, const Batch& batch, std::span<const Hit> hits,
                          std::span<const Hit> loop) {
     return hard_case.truth == Truth::answered ? count_unanswered(hits, triangle_count(batch.scene))
-                                              : count_different(hits, loop);
+                                              : count_other_hits(hits, loop);
 }
 
 void try_triangle_tests(const HardCase& hard_case, const Batch& batch, Tallies& tallies) {
@@ -147,7 +147,7 @@ void try_gpu(const HardCase& hard_case, const Batch& batch, GpuMethods& gpu, Tal
     }
     if (hard_case.truth != Truth::answered) {
         tallies.add({"watertight", "GPU", "the bits of C++", true}, count,
-                    count_different(loop, batch.loop));
+                    count_other_hits(loop, batch.loop));
     }
     std::map<std::string, SceneTextures> built;
     for (const NamedPart& part : list_parts("structure")) {

@@ -38,7 +38,7 @@ std::vector<TrialRow> Tallies::rows() const {
     return rows;
 }
 
-std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b) {
+std::size_t count_other_hits(std::span<const Hit> a, std::span<const Hit> b) {
     std::size_t different = a.size() == b.size() ? 0 : a.size() + b.size();
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         different += is_same(a[i], b[i]) ? 0 : 1;

@@ -30,7 +30,7 @@ private:
 };
 
 // How many hits differ in a bit of t, u, v or the triangle. Of misses, u and v mean nothing.
-std::size_t count_different(std::span<const Hit> a, std::span<const Hit> b);
+std::size_t count_other_hits(std::span<const Hit> a, std::span<const Hit> b);
 
 // How many hits are neither a miss nor one of that many triangles.
 std::size_t count_unanswered(std::span<const Hit> hits, int triangles);

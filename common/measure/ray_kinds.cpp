@@ -2,8 +2,8 @@
 
 #include "basics/random_numbers.h"
 #include "measure/cosine_direction.h"
-#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 
 #include <glm/geometric.hpp>
 

@@ -27,7 +27,7 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
         const glm::vec3 target(x, 0.125f * numbers.unit(), 0.0625f);
         rays.push_back({origin, target - origin, 0.0f, no_end});
     }
-    const Agreement agreement = agreement_of(scene, tree, rays);
+    const KdAgreement agreement = agreement_of(scene, tree, rays);
     CAPTURE(to_text(agreement));
     CHECK(agrees(agreement));
     CHECK(agreement.hits > 1500);
@@ -35,7 +35,8 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
     std::size_t different = 0;
     for (const Ray& ray : rays) {
         auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
-        auto stack = mirror::mirror_of<mirror::walks::kd_short_stack<float, Trail>>(buffers, packed);
+        auto stack =
+            mirror::mirror_of<mirror::walks::kd_short_stack<float, Trail>>(buffers, packed);
         static_cast<void>(restart.closest_hit(mirror::to_mirror<decltype(restart)>(ray)));
         static_cast<void>(stack.closest_hit(mirror::to_mirror<decltype(stack)>(ray)));
         const auto no_leaf = [&](int place) {

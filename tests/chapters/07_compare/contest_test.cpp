@@ -12,9 +12,8 @@ using namespace raysteps;
 TEST_CASE("contenders take turns and the first round is dropped", "[07][contest]") {
     std::string turns;
     std::vector<double> progress;
-    const std::vector<Contender> contenders{
-        {"a", [&] { turns += 'a'; }},
-        {"b", [&] { turns += 'b'; }, [&] { turns += '('; }}};
+    const std::vector<Contender> contenders{{"a", [&] { turns += 'a'; }},
+                                            {"b", [&] { turns += 'b'; }, [&] { turns += '('; }}};
     const std::vector<ContestTimes> times =
         run_contest(contenders, 2, [&](double part_done) { progress.push_back(part_done); });
     CHECK(turns == "a(ba(ba(b");

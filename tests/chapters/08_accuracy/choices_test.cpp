@@ -1,10 +1,5 @@
-#include "08_accuracy/grid_knob.h"
-#include "08_accuracy/grid_trail.h"
-#include "08_accuracy/image_knobs.h"
-#include "08_accuracy/offset_knob.h"
-#include "08_accuracy/primary_knob.h"
-#include "08_accuracy/slab_knob.h"
-#include "08_accuracy/verdict.h"
+#include "08_accuracy/trade_offs.h"
+
 #include "catch.h"
 #include "gpu/context.h"
 #include "hard_cases/aimed_rays.h"
@@ -29,9 +24,9 @@ Effort little_effort() {
 using Counts = std::map<std::string, std::map<std::string, Findings>>;
 
 // What each method of each family gets wrong; nothing is timed.
-Counts examine(const Knob& knob) {
+Counts examine(const TradeOffTrials& trade_off) {
     Counts counts;
-    for (const Trial& trial : knob.trials) {
+    for (const MethodTrial& trial : trade_off.trials) {
         trial.run();
         counts[trial.family][trial.method] = trial.examine();
     }
@@ -59,7 +54,7 @@ TEST_CASE("an exact box test knows its sides and corners and zeros", "[08][slab]
 
 TEST_CASE("room of two units makes the box test miss nothing at corners", "[08][slab]") {
     const auto context = make_context(ContextKind::automatic);
-    Counts counts = examine(slab_knob(little_effort()));
+    Counts counts = examine(slab_trade_off(little_effort()));
     REQUIRE(counts.size() == 6);
     for (auto& [family, methods] : counts) {
         CAPTURE(family);
@@ -73,7 +68,7 @@ TEST_CASE("room of two units makes the box test miss nothing at corners", "[08][
 
 TEST_CASE("only the error bound leaves a surface in every unit", "[08][offset]") {
     const auto context = make_context(ContextKind::automatic);
-    Counts counts = examine(offset_knob(little_effort()));
+    Counts counts = examine(offset_trade_off(little_effort()));
     REQUIRE(counts.size() == 4);
     for (auto& [family, methods] : counts) {
         CAPTURE(family);
@@ -89,7 +84,7 @@ TEST_CASE("only the error bound leaves a surface in every unit", "[08][offset]")
 TEST_CASE("a trail on paper is the trail of the grid", "[08][grid]") {
     GridShape shape;
     shape.cells = {3, 3, 1};
-    const Trail trail = grid_trail(shape, {{0.5f, 0.25f, 0.5f}, {1, 0.5f, 0}, 0.0f, no_end});
+    const GridTrail trail = grid_trail(shape, {{0.5f, 0.25f, 0.5f}, {1, 0.5f, 0}, 0.0f, no_end});
     // y = 0.25 + (x - 0.5) / 2 comes to 1 at x = 2, in the edge of four cells: x first.
     CHECK(trail.visits == 4); // 0, 1, 2, then 5 and out
     CHECK(trail.is_close);
@@ -104,7 +99,7 @@ TEST_CASE("a trail on paper is the trail of the grid", "[08][grid]") {
 TEST_CASE("crossings from the index never stray and sums do the more the finer the grid",
           "[08][grid]") {
     const auto context = make_context(ContextKind::automatic);
-    Counts counts = examine(grid_knob(little_effort()));
+    Counts counts = examine(grid_trade_off(little_effort()));
     for (auto& [family, methods] : counts) {
         CAPTURE(family);
         CHECK(total_fault(methods.at("from the index")).count == 0);
@@ -117,9 +112,9 @@ TEST_CASE("crossings from the index never stray and sums do the more the finer t
 
 TEST_CASE("directions are right to a few ulp either way", "[08][primary]") {
     const auto context = make_context(ContextKind::automatic);
-    const Knob knob = primary_knob(little_effort());
-    REQUIRE(knob.trials.size() == 6);
-    for (const Trial& trial : knob.trials) {
+    const TradeOffTrials trade_off = primary_trade_off(little_effort());
+    REQUIRE(trade_off.trials.size() == 6);
+    for (const MethodTrial& trial : trade_off.trials) {
         CAPTURE(trial.family, trial.method);
         trial.run();
         const Findings findings = trial.examine();
@@ -132,15 +127,16 @@ TEST_CASE("more samples and mirrors and points come nearer to the truth", "[08][
     const auto context = make_context(ContextKind::automatic);
     Effort effort = little_effort();
     effort.most_samples = 2;
-    for (const Knob& knob : {samples_knob(effort), depth_knob(effort), lamp_knob(effort)}) {
-        CAPTURE(knob.name);
+    for (const TradeOffTrials& trade_off :
+         {samples_trade_off(effort), depth_trade_off(effort), lamp_trade_off(effort)}) {
+        CAPTURE(trade_off.name);
         double last = 1e9;
-        for (const Trial& trial : knob.trials) {
+        for (const MethodTrial& trial : trade_off.trials) {
             const Findings findings = trial.examine();
             REQUIRE(findings.measures[0].name == "RMSE");
             CHECK(findings.measures[0].value <= last);
             last = findings.measures[0].value;
         }
-        CHECK(knob.pictures.size() >= 3);
+        CHECK(trade_off.pictures.size() >= 3);
     }
 }

@@ -1,8 +1,8 @@
 #include "structure/bvh/bvh.h"
 
+#include "basics/random_numbers.h"
 #include "catch.h"
 #include "hard_cases/meshes.h"
-#include "basics/random_numbers.h"
 #include "structure/structure.h"
 
 #include <cmath>

@@ -1,8 +1,5 @@
-#include "08_accuracy/judge_hits.h"
+#include "08_accuracy/judges.h"
 
-#include "08_accuracy/fault_rate.h"
-#include "08_accuracy/judge_picture.h"
-#include "08_accuracy/similarity.h"
 #include "basics/random_numbers.h"
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"

@@ -1,6 +1,5 @@
-#include "08_accuracy/judge_hits.h"
-#include "08_accuracy/subject.h"
-#include "08_accuracy/triangle_knob.h"
+#include "08_accuracy/judges.h"
+#include "08_accuracy/trade_offs.h"
 #include "catch.h"
 #include "gpu/context.h"
 #include "hard_cases/aimed_rays.h"

@@ -58,11 +58,12 @@ TEST_CASE("the program writes page and table and numbers for a scene of ones own
     put_bytes(folder / "wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     REQUIRE(run("--scene '" + (folder / "wedge.obj").string() +
-                    "' --knobs triangle,slab --rounds 1 --context osmesa",
+                    "' --trade-offs triangle,slab --rounds 1 --context osmesa",
                 folder) == 0);
     const nlohmann::json numbers = nlohmann::json::parse(bytes_of(folder / "accuracy.json"));
-    REQUIRE(numbers["knobs"].size() == 2);
-    CHECK(numbers["knobs"][0]["measurements"].size() == 8 * 11);
+    REQUIRE(numbers["trade_offs"].size() == 2);
+    CHECK(numbers["trade_offs"][0]["measurements"].size() == 8 * 11);
+    CHECK(numbers["trade_offs"][0]["methods"].size() == 11);
     CHECK(numbers["circumstances"].contains("commit"));
     std::set<std::string> needs;
     for (const auto& advice : numbers["advice"]) {
@@ -81,15 +82,40 @@ TEST_CASE("a scene without a triangle has a report too", "[08][program]") {
     const ScratchFolder folder("accuracy_nothing");
     put_bytes(folder / "nothing.obj", "v 0 0 0\n");
     CHECK(run("--scene '" + (folder / "nothing.obj").string() +
-                  "' --knobs picture,speed --rounds 1 --size 16 --context osmesa",
+                  "' --trade-offs picture,speed --rounds 1 --size 16 --context osmesa",
               folder) == 0);
     CHECK_THAT(bytes_of(folder / "accuracy.html"), contains_text("any method will do"));
 }
 
+TEST_CASE("the pictures of a report are files that its numbers name", "[08][program]") {
+    const ScratchFolder folder("accuracy_pictures");
+    REQUIRE(run("--knobs depth --rounds 1 --size 16 --context osmesa", folder) ==
+            0); // its old name
+    const nlohmann::json numbers = nlohmann::json::parse(bytes_of(folder / "accuracy.json"));
+    const nlohmann::json pictures = numbers["trade_offs"][0]["pictures"];
+    CHECK(pictures.size() == 7);
+    for (const auto& picture : pictures) {
+        CHECK(bytes_of(folder / picture["file"].get<std::string>()).substr(1, 3) == "PNG");
+    }
+    CHECK_THAT(bytes_of(folder / "accuracy.html"), contains_text("data:image/png;base64,iVBOR"));
+}
+
+TEST_CASE("without Python the report says what is missing and keeps its numbers", "[08][program]") {
+    const ScratchFolder folder("accuracy_no_python");
+    const std::string command = "PATH=/nowhere '" PROGRAM "' --trade-offs slab --rounds 1 "
+                                "--context osmesa --out '" +
+                                (folder / "").string() + "' >'" + (folder / "log").string() +
+                                "' 2>&1";
+    const int status = std::system(command.c_str()); // NOLINT(cert-env33-c): the words are ours
+    CHECK(WEXITSTATUS(status) == 3);
+    CHECK_THAT(bytes_of(folder / "log"), contains_text("accuracy.html: python3 is missing"));
+    CHECK(std::filesystem::exists(folder / "accuracy.json"));
+}
+
 TEST_CASE("what cannot be reported is refused in a sentence", "[08][program]") {
     const ScratchFolder folder("accuracy_refusals");
-    CHECK(run("--knobs nonsense --context osmesa", folder) == 2);
-    CHECK_THAT(bytes_of(folder / "log"), contains_text("--knobs nonsense: there is no such"));
+    CHECK(run("--trade-offs nonsense --context osmesa", folder) == 2);
+    CHECK_THAT(bytes_of(folder / "log"), contains_text("--trade-offs nonsense: there is no such"));
     CHECK(run("--window", folder) == 2);
     CHECK_THAT(bytes_of(folder / "log"), contains_text("open accuracy.html in a browser"));
     CHECK(run("--json /dev/null", folder) == 2); // before any work

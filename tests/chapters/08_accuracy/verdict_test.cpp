@@ -1,10 +1,7 @@
 #include "08_accuracy/verdict.h"
 
-#include "08_accuracy/run_knob.h"
-#include "catch.h"
 #include "basics/error.h"
-#include "08_accuracy/base64.h"
-#include "08_accuracy/scatter_plot.h"
+#include "catch.h"
 #include "support/error_of.h"
 
 #include <algorithm>
@@ -23,8 +20,8 @@ Measurement measured(const std::string& method, const std::string& family, const
 }
 
 // Fast and wrong, sure, sure and slow, exact and slow, wrong and slow.
-KnobResult five_methods() {
-    KnobResult result;
+TradeOffResult five_methods() {
+    TradeOffResult result;
     result.name = "example";
     for (const std::string family : {"usual", "hard"}) {
         const std::size_t bad = family == "hard" ? 500 : 0;
@@ -47,13 +44,13 @@ const Advice& for_need(const std::vector<Advice>& all, const std::string& need) 
                          [&](const Advice& one) { return one.need == need; });
 }
 
-Knob knob_of(std::size_t cases_of_second) {
-    Knob knob;
-    knob.name = "example";
+TradeOffTrials trade_off_of(std::size_t cases_of_second) {
+    TradeOffTrials trade_off;
+    trade_off.name = "example";
     const auto answer = [] { return Findings{{{"missed", 1, 10}}, std::nullopt, {}}; };
-    knob.trials = {{"a", "family", 10, [] {}, answer},
-                   {"b", "family", cases_of_second, [] {}, answer}};
-    return knob;
+    trade_off.trials = {{"a", "family", 10, [] {}, answer},
+                        {"b", "family", cases_of_second, [] {}, answer}};
+    return trade_off;
 }
 
 } // namespace
@@ -78,64 +75,69 @@ TEST_CASE("advice names the cheapest that will do and those it cannot be told fr
     CHECK(for_need(advice, "preview").methods == std::vector<std::string>{"fast"});
     CHECK(for_need(advice, "default").methods == std::vector<std::string>{"sure", "sure too"});
     CHECK(for_need(advice, "reference").methods == std::vector<std::string>{"exact"});
-    KnobResult hopeless = five_methods();
+    TradeOffResult hopeless = five_methods();
     for (Measurement& one : hopeless.measurements) {
         one.findings.faults[0].count = 7;
     }
     CHECK(for_need(advise(hopeless), "default").methods.empty());
-    hopeless.kind = KnobKind::speed_only;
+    hopeless.kind = TradeOffKind::speed_only;
     CHECK(advise(hopeless).empty());
+}
+
+TEST_CASE("advice for a closed mesh goes by the leaks that were counted and by no name",
+          "[08][verdict]") {
+    TradeOffResult result;
+    result.name = "example";
+    result.on_closed_mesh = true;
+    result.measurements = {measured("watertight, but leaking", "usual", {10, 9, 11}, 0, 1.0),
+                           measured("watertight, but leaking", "hard", {10, 9, 11}, 1, 1.0),
+                           measured("plain", "usual", {20, 19, 21}, 0, 1.0),
+                           measured("plain", "hard", {20, 19, 21}, 0, 1.0)};
+    CHECK(for_need(advise(result), "closed mesh").methods == std::vector<std::string>{"plain"});
+    // A hit too many is a fault, and no leak.
+    result.measurements.back().findings.faults.push_back({"false", 5, 100000});
+    CHECK(for_need(advise(result), "closed mesh").methods == std::vector<std::string>{"plain"});
+    CHECK(for_need(advise(result), "default").methods.empty());
+    // Nothing was counted, so nothing is known.
+    for (Measurement& one : result.measurements) {
+        one.findings.faults.clear();
+    }
+    CHECK(for_need(advise(result), "closed mesh").methods.empty());
+}
+
+TEST_CASE("where no mesh is closed nothing is said of closed meshes", "[08][verdict]") {
+    TradeOffResult open = five_methods();
+    open.name = "triangle";
+    for (const Advice& one : advise(open)) {
+        CHECK(one.need != "closed mesh");
+    }
 }
 
 TEST_CASE("methods with other numbers of cases are not compared", "[08][runner]") {
     const auto quiet = [](double) {};
-    const KnobResult result = run_knob(knob_of(10), 3, Clock::wall, quiet);
+    const TradeOffResult result = measure_trade_off(trade_off_of(10), 3, Clock::wall, quiet);
     REQUIRE(result.measurements.size() == 2);
     CHECK(result.measurements[1].method == "b");
-    CHECK_THROWS_WITH(run_knob(knob_of(11), 3, Clock::wall, quiet),
+    CHECK_THROWS_WITH(measure_trade_off(trade_off_of(11), 3, Clock::wall, quiet),
                       contains_text("b has 11 cases and a 10"));
-    CHECK_THAT(error_of([&] { run_knob(knob_of(10), 0, Clock::wall, quiet); }),
+    CHECK_THAT(error_of([&] { measure_trade_off(trade_off_of(10), 0, Clock::wall, quiet); }),
                contains_text("--rounds 0"));
 }
 
-TEST_CASE("a knob that changes only the speed may have no fault", "[08][runner]") {
-    Knob knob = knob_of(10);
-    knob.kind = KnobKind::speed_only;
-    CHECK_THROWS_AS(run_knob(knob, 1, Clock::wall, [](double) {}), Error);
+TEST_CASE("a trade-off that changes only the speed may have no fault", "[08][runner]") {
+    TradeOffTrials trade_off = trade_off_of(10);
+    trade_off.kind = TradeOffKind::speed_only;
+    CHECK_THROWS_AS(measure_trade_off(trade_off, 1, Clock::wall, [](double) {}), Error);
 }
 
 TEST_CASE("the runner drops the first round and takes turns", "[08][runner]") {
     std::string turns;
-    Knob knob;
+    TradeOffTrials trade_off;
     const auto none = [] { return Findings{}; };
-    knob.trials = {{"a", "x", 1, [&] { turns += 'a'; }, none},
-                   {"b", "x", 1, [&] { turns += 'b'; }, none}};
-    const KnobResult result = run_knob(knob, 2, Clock::wall, [](double) {});
+    trade_off.trials = {{"a", "x", 1, [&] { turns += 'a'; }, none},
+                        {"b", "x", 1, [&] { turns += 'b'; }, none}};
+    const TradeOffResult result = measure_trade_off(trade_off, 2, Clock::wall, [](double) {});
     CHECK(turns == "ababab");
     CHECK(result.measurements[0].cost.lowest <= result.measurements[0].cost.median);
     CHECK(result.measurements[0].cost.median <= result.measurements[0].cost.highest);
-}
-
-TEST_CASE("bytes become text as RFC 4648 has it", "[08][page]") {
-    CHECK(to_base64("").empty());
-    CHECK(to_base64("f") == "Zg==");
-    CHECK(to_base64("fo") == "Zm8=");
-    CHECK(to_base64("foo") == "Zm9v");
-    CHECK(to_base64("foobar") == "Zm9vYmFy");
-}
-
-TEST_CASE("a plot has a mark and a label for each method and no raw sign", "[08][page]") {
-    const ScatterPlot plot{"a < b",
-                           "x",
-                           "y",
-                           {{"first & best", "hint", 1, 1, 1, 10, 9, 11, false},
-                            {"bound", "", 2, 2, 2, 0, 0, 5, true}}};
-    const std::string svg = to_svg(plot);
-    CHECK_THAT(svg, contains_text("a &lt; b"));
-    CHECK_THAT(svg, contains_text("first &amp; best"));
-    CHECK_THAT(svg, contains_text("<circle")); // of the one
-    CHECK_THAT(svg, contains_text("<path"));   // an upper bound, of the other
-    CHECK_THAT(svg, contains_text("<g class='dominated'>"));
-    CHECK(svg.find("nan") == std::string::npos);
-    CHECK(to_svg({}).empty());
 }
