@@ -6,8 +6,7 @@
 #include "scene_needs.h"
 #include "tables.h"
 #include "circumstances.h"
-#include "program/deliver.h"
-#include "program/progress.h"
+#include "program/output.h"
 #include "basics/error.h"
 #include "basics/file.h"
 #include "image/image_file.h"
@@ -62,20 +61,16 @@ std::string file_name_of(std::string text) {
 }
 
 // The pictures as files, and their bytes for the page.
-std::vector<PagePicture> write_pictures(const Command& command, const KnobResult& result) {
+std::vector<PagePicture> write_pictures(const std::filesystem::path& folder,
+                                        const KnobResult& result) {
     std::vector<PagePicture> pictures;
     for (const KnobPicture& picture : result.pictures) {
         const std::filesystem::path path =
-            command.out / "pictures" / (file_name_of(result.name + " " + picture.caption) + ".png");
+            folder / "pictures" / (file_name_of(result.name + " " + picture.caption) + ".png");
         write_png(path, picture.image);
         pictures.push_back({result.name, picture.caption, read_file(path, most_bytes_of_picture)});
     }
     return pictures;
-}
-
-void write(const std::filesystem::path& path, const std::string& text) {
-    write_file(path, text);
-    std::cout << "wrote     " << path.string() << "\n";
 }
 
 // Nobody should wait for minutes to learn that a file cannot be written. What is there stays.
@@ -120,25 +115,25 @@ std::string knob_names() {
     return names;
 }
 
-void refuse_window(const Command& command) {
-    if (command.window) {
+void refuse_window(const PictureOptions& picture) {
+    if (picture.window) {
         throw InputError("--window: the report of chapter 08 is a page. Leave the option out, and "
                          "open accuracy.html in a browser.");
     }
 }
 
-int side_of_pictures(const Command& command) {
-    return std::max(8, std::min(command.width, command.height));
+int side_of_pictures(const PictureSize& size) {
+    return std::max(8, std::min(size.width, size.height));
 }
 
-void make_report(const Command& command, const ReportRequest& request) {
+void make_report(const PictureOptions& picture, const ReportRequest& request) {
     const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
-    Scene scene = open_scene(command);
-    const auto context = open_context(command);
-    if (!command.json.empty()) {
-        check_writable(command.json);
+    Scene scene = open_scene(picture);
+    const auto context = open_context(picture);
+    if (!picture.json.empty()) {
+        check_writable(picture.json);
     }
-    check_writable(command.out / "accuracy.html");
+    check_writable(picture.out / "accuracy.html");
     KnobRequest knobs{nullptr, nullptr, request.effort};
     knobs.effort.limits = measure_limits();
     knobs.effort.seed = request.seed;
@@ -150,7 +145,7 @@ void make_report(const Command& command, const ReportRequest& request) {
     knobs.mesh = aim_at_scene ? knobs.scene : usual_subject();
     knobs.effort = affordable(knobs.effort, *knobs.mesh);
 
-    AccuracyReport report{.scene = command.scene,
+    AccuracyReport report{.scene = picture.scene,
                           .circumstances = circumstances_of(knobs.effort),
                           .scene_needs = to_sentences(needs)};
     std::vector<PagePicture> pictures;
@@ -163,19 +158,19 @@ void make_report(const Command& command, const ReportRequest& request) {
         for (Advice& advice : advise(result)) {
             report.advice.push_back(std::move(advice));
         }
-        for (PagePicture& picture : write_pictures(command, result)) {
-            pictures.push_back(std::move(picture));
+        for (PagePicture& page_picture : write_pictures(picture.out, result)) {
+            pictures.push_back(std::move(page_picture));
         }
     }
     print_advice(report.advice);
-    std::cout << "\nWhat " << command.scene << " needs\n";
+    std::cout << "\nWhat " << picture.scene << " needs\n";
     for (const std::string& sentence : report.scene_needs) {
         std::cout << "  " << sentence << "\n";
     }
-    write(command.out / "accuracy.csv", to_csv(report.results));
-    write(command.out / "accuracy.json", to_json(report).dump(2) + "\n");
-    write(command.out / "accuracy.html", to_html(report, pictures));
-    deliver_numbers(command, to_json(report));
+    write_text(picture.out / "accuracy.csv", to_csv(report.results));
+    write_text(picture.out / "accuracy.json", to_numbers(report).to_json() + "\n");
+    write_text(picture.out / "accuracy.html", to_html(report, pictures));
+    write_numbers(picture.json, to_numbers(report));
 }
 
 } // namespace raysteps

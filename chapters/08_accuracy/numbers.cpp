@@ -4,20 +4,18 @@ namespace raysteps {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json fault_numbers(const Fault& fault) {
+Numbers fault_numbers(const Fault& fault) {
     const FaultRate rate = fault_rate(fault.count, fault.of);
     return {
         {"name", fault.name},          {"count", fault.count},       {"of", fault.of},
         {"per_million", rate.counted}, {"lower_bound", rate.lowest}, {"upper_bound", rate.highest}};
 }
 
-Json measurement_numbers(const Measurement& one) {
-    Json numbers{{"method", one.method},           {"family", one.family},
+Numbers measurement_numbers(const Measurement& one) {
+    Numbers numbers{{"method", one.method},           {"family", one.family},
                  {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
                  {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
-                 {"faults", Json::array()}};
+                 {"faults", empty_list()}};
     for (const Fault& fault : one.findings.faults) {
         numbers["faults"].push_back(fault_numbers(fault));
     }
@@ -32,15 +30,15 @@ Json measurement_numbers(const Measurement& one) {
     return numbers;
 }
 
-Json knob_numbers(const KnobResult& result) {
-    Json methods = Json::array();
+Numbers knob_numbers(const KnobResult& result) {
+    Numbers methods = empty_list();
     const std::vector<MethodSummary> summaries = summarize_methods(result);
     for (const MethodSummary& method : summaries) {
         methods.push_back({{"method", method.method},
                            {"nanoseconds", method.cost.median},
                            {"dominated", is_dominated(method, summaries)}});
     }
-    Json measurements = Json::array();
+    Numbers measurements = empty_list();
     for (const Measurement& one : result.measurements) {
         measurements.push_back(measurement_numbers(one));
     }
@@ -54,19 +52,19 @@ Json knob_numbers(const KnobResult& result) {
 
 } // namespace
 
-Json to_json(const AccuracyReport& report) {
-    Json circumstances = Json::object();
+Numbers to_numbers(const AccuracyReport& report) {
+    Numbers circumstances = empty_object();
     for (const auto& [name, value] : report.circumstances) {
         circumstances[name] = value;
     }
-    Json advice = Json::array();
+    Numbers advice = empty_list();
     for (const Advice& one : report.advice) {
         advice.push_back({{"knob", one.knob},
                           {"need", one.need},
                           {"condition", one.condition},
                           {"methods", one.methods}});
     }
-    Json knobs = Json::array();
+    Numbers knobs = empty_list();
     for (const KnobResult& result : report.results) {
         knobs.push_back(knob_numbers(result));
     }

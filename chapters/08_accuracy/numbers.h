@@ -1,11 +1,11 @@
 #pragma once
 
 #include "page.h"
-#include "program/deliver.h"
+#include "program/output.h"
 
 namespace raysteps {
 
 // The report for programs.
-nlohmann::ordered_json to_json(const AccuracyReport& report);
+Numbers to_numbers(const AccuracyReport& report);
 
 } // namespace raysteps
