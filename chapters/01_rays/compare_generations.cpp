@@ -2,9 +2,9 @@
 
 #include "image/heat_map.h"
 #include "image/image.h"
-#include "reference/reference_ray.h"
 #include "measure/statistics.h"
 #include "program/output.h"
+#include "reference/reference_ray.h"
 #include "render/rays.h"
 
 #include <glm/geometric.hpp>
@@ -52,8 +52,7 @@ void compare_generations(const Camera& camera, const PictureSize& size,
     const auto upper = static_cast<float>(std::max(of_interpolated.largest, of_direct.largest));
     const HeatMapRange range{0.0f, std::max(upper, 0.1f)};
     const auto map = [&](std::span<const float> errors) {
-        return heat_map(errors, size.width, size.height, range,
-                        "error of the direction [ulp]");
+        return heat_map(errors, size.width, size.height, range, "error of the direction [ulp]");
     };
     const std::vector<Image> maps{map(interpolated_errors), map(direct_errors)};
     const std::vector<std::string> captions{"interpolated by the rasterizer",
@@ -62,13 +61,13 @@ void compare_generations(const Camera& camera, const PictureSize& size,
 
     const auto numbers = [](const Summary& summary) {
         return Numbers{{"median_ulp", summary.median},
-                                      {"percentile_99_ulp", summary.percentile_99},
-                                      {"largest_ulp", summary.largest}};
+                       {"percentile_99_ulp", summary.percentile_99},
+                       {"largest_ulp", summary.largest}};
     };
     write_numbers(json, {{"interpolated", numbers(of_interpolated)},
-                              {"direct", numbers(of_direct)},
-                              {"shortest_direction", *shortest},
-                              {"longest_direction", *longest}});
+                         {"direct", numbers(of_direct)},
+                         {"shortest_direction", *shortest},
+                         {"longest_direction", *longest}});
 }
 
 } // namespace raysteps

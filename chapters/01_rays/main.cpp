@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
     PictureOptions picture{.scene = "mirrors"};
     RayGeneration generation = RayGeneration::interpolated;
     add_picture_options(options, picture);
-    options.choice<RayGeneration>("--generation", generation, "how the picture's rays are made",
-                                  {{"interpolated", RayGeneration::interpolated},
-                                   {"direct", RayGeneration::direct}});
+    options.choice<RayGeneration>(
+        "--generation", generation, "how the picture's rays are made",
+        {{"interpolated", RayGeneration::interpolated}, {"direct", RayGeneration::direct}});
     return options.run(argc, argv, [&] {
         const Scene scene = open_scene(picture);
         const auto context = open_context(picture);

@@ -24,9 +24,9 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built =
-            build_structure(tracing.structure, scene.corners,
-                            {.reach = camera_reach(picture, scene), .values = tracing.build_values});
+        const BuiltStructure built = build_structure(
+            tracing.structure, scene.corners,
+            {.reach = camera_reach(picture, scene), .values = tracing.build_values});
         WhittedRenderer renderer(scene, upload(scene, built),
                                  trace_parts(tracing.triangle, tracing.structure),
                                  measure_limits());
@@ -35,9 +35,8 @@ int main(int argc, char** argv) {
         show_or_write(picture, *context, scene.camera, picture_name(picture.scene),
                       [&](const Camera& camera, int width, int height) {
                           Image image;
-                          std::tie(image, seconds) = timed([&] {
-                              return renderer.render(camera, width, height, max_bounces);
-                          });
+                          std::tie(image, seconds) = timed(
+                              [&] { return renderer.render(camera, width, height, max_bounces); });
                           return image;
                       });
         const RayCounts& rays = renderer.ray_counts();

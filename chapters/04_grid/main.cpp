@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
     options.flag("--measure", measure, "measure the grid with and without repeated tests");
     options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
     options.flag("--plot", plot, "plot steps, tests and time against the resolution");
-    options.excludes("--plot", {"--rays", "--window", "--measure", "--view", "--resolution",
-                                "--density"});
+    options.excludes("--plot",
+                     {"--rays", "--window", "--measure", "--view", "--resolution", "--density"});
     return options.run(argc, argv, [&] {
         const Scene scene = open_scene(picture);
         const auto context = open_context(picture);
@@ -49,29 +49,27 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built = build_structure(
-            tracing.structure, scene.corners,
-            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
-            {{"grid", grid_over}});
+        const BuiltStructure built =
+            build_structure(tracing.structure, scene.corners,
+                            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
+                            {{"grid", grid_over}});
         const SceneTextures textures = upload(scene, built);
         TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
         trace.report_progress(show_progress("tracing"));
         TraceTime time;
-        const std::string name =
-            picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
-        show_or_write(
-            picture, *context, scene.camera, name,
-            [&](const Camera& camera, int width, int height) {
-                const RayTextures rays =
-                    generate_rays(camera, width, height, RayGeneration::direct);
-                const auto [hits, seconds] =
-                    timed([&] { return trace.closest_hits(rays, textures); });
-                time = {static_cast<double>(width) * height, seconds};
-                return is_heat_map(view)
-                           ? show_work(*trace.observations(), view, tracing.structure)
-                           : show_hits(rays, hits, textures, camera, scene.background,
-                                       find_part("view", view));
-            });
+        const std::string name = picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
+        show_or_write(picture, *context, scene.camera, name,
+                      [&](const Camera& camera, int width, int height) {
+                          const RayTextures rays =
+                              generate_rays(camera, width, height, RayGeneration::direct);
+                          const auto [hits, seconds] =
+                              timed([&] { return trace.closest_hits(rays, textures); });
+                          time = {static_cast<double>(width) * height, seconds};
+                          return is_heat_map(view)
+                                     ? show_work(*trace.observations(), view, tracing.structure)
+                                     : show_hits(rays, hits, textures, camera, scene.background,
+                                                 find_part("view", view));
+                      });
         report_trace(picture, tracing, textures, time);
     });
 }

@@ -55,7 +55,8 @@ void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
                            {"nanoseconds_per_ray", 1000.0 / primary.rate.median}});
     }
     progress(1.0);
-    const std::filesystem::path path = picture.out / (picture_name(picture.scene) + "_resolution.png");
+    const std::filesystem::path path =
+        picture.out / (picture_name(picture.scene) + "_resolution.png");
     write_plot(path, {.title = "A grid over " + scene.name + ": what a ray costs",
                       .x_label = "cells along the longest side",
                       .y_label = "a ray",
@@ -64,9 +65,9 @@ void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
                       .lines = {visits, tests, time}});
     print_written(path);
     write_numbers(picture.json, {{"scene", picture.scene},
-                              {"structure", tracing.structure},
-                              {"renderer", renderer_name()},
-                              {"resolutions", numbers}});
+                                 {"structure", tracing.structure},
+                                 {"renderer", renderer_name()},
+                                 {"resolutions", numbers}});
 }
 
 } // namespace raysteps

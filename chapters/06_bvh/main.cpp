@@ -34,36 +34,35 @@ int main(int argc, char** argv) {
         const Scene scene = open_scene(picture);
         const auto context = open_context(picture);
         if (measure) {
-            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing, scene);
+            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing,
+                          scene);
             return;
         }
         if (!tracing.rays.empty()) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built = build_structure(
-            tracing.structure, scene.corners,
-            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
-            {{"bvh", bvh_over}});
+        const BuiltStructure built =
+            build_structure(tracing.structure, scene.corners,
+                            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
+                            {{"bvh", bvh_over}});
         const SceneTextures textures = upload(scene, built);
         TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
         trace.report_progress(show_progress("tracing"));
         TraceTime time;
-        const std::string name =
-            picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
-        show_or_write(
-            picture, *context, scene.camera, name,
-            [&](const Camera& camera, int width, int height) {
-                const RayTextures rays =
-                    generate_rays(camera, width, height, RayGeneration::direct);
-                const auto [hits, seconds] =
-                    timed([&] { return trace.closest_hits(rays, textures); });
-                time = {static_cast<double>(width) * height, seconds};
-                return is_heat_map(view)
-                           ? show_work(*trace.observations(), view, tracing.structure)
-                           : show_hits(rays, hits, textures, camera, scene.background,
-                                       find_part("view", view));
-            });
+        const std::string name = picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
+        show_or_write(picture, *context, scene.camera, name,
+                      [&](const Camera& camera, int width, int height) {
+                          const RayTextures rays =
+                              generate_rays(camera, width, height, RayGeneration::direct);
+                          const auto [hits, seconds] =
+                              timed([&] { return trace.closest_hits(rays, textures); });
+                          time = {static_cast<double>(width) * height, seconds};
+                          return is_heat_map(view)
+                                     ? show_work(*trace.observations(), view, tracing.structure)
+                                     : show_hits(rays, hits, textures, camera, scene.background,
+                                                 find_part("view", view));
+                      });
         report_trace(picture, tracing, textures, time);
     });
 }

@@ -69,8 +69,7 @@ Numbers& Numbers::operator[](const std::string& name) {
     auto& members = std::get<Object>(value_);
     const auto known = std::find_if(members.begin(), members.end(),
                                     [&](const auto& member) { return member.first == name; });
-    return known != members.end() ? known->second
-                                  : members.emplace_back(name, Numbers{}).second;
+    return known != members.end() ? known->second : members.emplace_back(name, Numbers{}).second;
 }
 
 void Numbers::push_back(Numbers value) {

@@ -24,8 +24,7 @@ public:
     Numbers() = default; // nothing: becomes an object or a list by what is added
 
     template <class Number>
-        requires std::is_arithmetic_v<Number>
-    Numbers(Number number) : value_(as_stored(number)) {}
+    requires std::is_arithmetic_v<Number> Numbers(Number number) : value_(as_stored(number)) {}
     Numbers(std::string text) : value_(std::move(text)) {}
     Numbers(const char* text) : value_(std::string(text)) {}
     Numbers(List values) : value_(std::in_place_type<List>, std::move(values)) {}

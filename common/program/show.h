@@ -1,7 +1,7 @@
 #pragma once
 
-#include "program/options.h"
 #include "image/image.h"
+#include "program/options.h"
 
 #include <functional>
 

@@ -66,10 +66,14 @@ void add_view_option(Options& options, std::string& view, const TraceOptions& tr
     views.insert(views.end(), {"visits", "tests"});
     options.choice("--view", view, "what to show of the hits, or a heat map of the work", views);
     options.check([&] {
-        if (view == "visits" && tracing.structure == "every_triangle") {
+        if (view != "visits" || tracing.structure != "every_triangle") {
+            return;
+        }
+        if (options.given("--view")) {
             throw InputError("--view visits: the loop over every triangle visits no cells. Take "
                              "--view tests, or another --structure.");
         }
+        view = "tests";
     });
 }
 

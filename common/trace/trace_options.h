@@ -28,11 +28,12 @@ std::vector<std::string> part_names(const std::string& slot);
 void add_trace_options(Options& options, TraceOptions& tracing);
 
 // --view: a part of shaders/view, or the heat map of what a walk through the structure did: its
-// visits (cells or nodes) or its tests (triangles).
+// visits (cells or nodes) or its tests (triangles). Of the loop over every triangle, which visits
+// nothing, the heat map is that of its tests.
 void add_view_option(Options& options, std::string& view, const TraceOptions& tracing);
 
-using Builder = std::function<BuiltStructure(std::span<const glm::vec3> corners,
-                                             const BuildRequest& request)>;
+using Builder =
+    std::function<BuiltStructure(std::span<const glm::vec3> corners, const BuildRequest& request)>;
 
 // Builds the structure of that name over the triangles, three corners each, and prints the facts
 // of it. Its family's builder does it, or the one that a chapter has of its own for that family.

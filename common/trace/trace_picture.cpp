@@ -57,8 +57,8 @@ Image show_work(const Texture& observations, const std::string& view,
             values.push_back(static_cast<float>(view == "visits" ? texel.x : texel.y));
         }
     }
-    const std::string title = view == "visits" ? ": cells or nodes visited a ray"
-                                               : ": triangles tested a ray";
+    const std::string title =
+        view == "visits" ? ": cells or nodes visited a ray" : ": triangles tested a ray";
     return heat_map(values, width, height, range_of_most(values), structure + title);
 }
 

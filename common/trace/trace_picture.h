@@ -22,8 +22,7 @@ Parts trace_parts(const std::string& triangle, const std::string& structure,
 bool is_heat_map(const std::string& view);
 
 // That heat map, from what the observer counted.
-Image show_work(const Texture& observations, const std::string& view,
-                const std::string& structure);
+Image show_work(const Texture& observations, const std::string& view, const std::string& structure);
 
 // Rays that were traced, and the seconds that it took.
 struct TraceTime {

@@ -1,6 +1,6 @@
+#include "basics/text.h"
 #include "program/options.h"
 #include "scene/camera_text.h"
-#include "basics/text.h"
 
 #include "catch.h"
 #include "support/error_of.h"
