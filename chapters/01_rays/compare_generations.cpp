@@ -1,8 +1,8 @@
 #include "compare_generations.h"
 
+#include "basics/statistics.h"
 #include "image/heat_map.h"
 #include "image/image.h"
-#include "measure/statistics.h"
 #include "program/output.h"
 #include "reference/reference_ray.h"
 #include "render/rays.h"

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
         "--generation", generation, "how the picture's rays are made",
         {{"interpolated", RayGeneration::interpolated}, {"direct", RayGeneration::direct}});
     return options.run(argc, argv, [&] {
-        const Scene scene = open_scene(picture);
+        const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         show_or_write(picture, *context, scene.camera, "directions",
                       [&](const Camera& camera, int width, int height) {

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     options.flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
     options.excludes("--exhibit", {"--rays", "--window"});
     return options.run(argc, argv, [&] {
-        const Scene scene = open_scene(picture);
+        const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (exhibit) {
             show_exhibit(scene, picture.out, picture.json);

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     options.excludes("--plot",
                      {"--rays", "--window", "--measure", "--view", "--resolution", "--density"});
     return options.run(argc, argv, [&] {
-        const Scene scene = open_scene(picture);
+        const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (plot) {
             plot_resolution(picture, tracing, scene);

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     options.flag("--measure", measure, "measure all four walks, and the grid beside them");
     options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
     return options.run(argc, argv, [&] {
-        const Scene scene = open_scene(picture);
+        const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (measure) {
             measure_walks({"grid", "kd_restart", "kd_backtrack", "kd_short_stack", "kd_ropes"},

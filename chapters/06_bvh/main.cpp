@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     options.flag("--measure", measure, "measure all walks of the hierarchy, side by side");
     options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
     return options.run(argc, argv, [&] {
-        const Scene scene = open_scene(picture);
+        const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (measure) {
             measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing,

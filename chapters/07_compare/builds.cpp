@@ -98,7 +98,7 @@ void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
     }
     std::vector<BuildContest> contests;
     for (const std::string& name : comparison.scenes) {
-        const Scene scene = open_scene(picture, name);
+        const Scene scene = load_scene(picture, name);
         contests.push_back(contest_builds(scene, {.values = tracing.build_values},
                                           comparison.rounds, show_progress("building " + name)));
     }

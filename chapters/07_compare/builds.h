@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 #include "render/trace_rays.h"
 #include "run_comparison.h"
 #include "scene/scene.h"

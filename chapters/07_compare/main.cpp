@@ -9,7 +9,7 @@ using namespace raysteps;
 namespace {
 
 void show_normals(const PictureOptions& picture, const TraceOptions& tracing) {
-    const Scene scene = open_scene(picture);
+    const Scene scene = load_scene(picture);
     const auto context = open_context(picture);
     const BuiltStructure built =
         build_structure(tracing.structure, scene.corners,
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     options.flag("--builds", builds, "only build: our BVH and Embree's, in turn, on one thread");
     return options.run(argc, argv, [&] {
         if (!tracing.rays.empty()) {
-            const Scene scene = open_scene(picture);
+            const Scene scene = load_scene(picture);
             const auto context = open_context(picture);
             trace_ray_file(picture, tracing, scene);
             return;

@@ -100,9 +100,9 @@ std::string table_of(std::span<const ClaimResult> claims) {
 
 Numbers row_numbers(const RayCosts& row) {
     Numbers numbers{{"contender", row.contender}, {"rays", row.rays},
-                 {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
-                 {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
-                 {"cores", row.cores},         {"other_answers", row.different}};
+                    {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
+                    {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
+                    {"cores", row.cores},         {"other_answers", row.different}};
     if (!is_embree(row.contender)) {
         numbers["visits_per_ray"] = row.visits_per_ray;
         numbers["tests_per_ray"] = row.tests_per_ray;
@@ -215,7 +215,7 @@ std::vector<SceneCosts> measure_scenes(const PictureOptions& picture, const Trac
                              measure_limits());
     std::vector<SceneCosts> results;
     for (const std::string& name : scenes_of(comparison)) {
-        const Scene scene = open_scene(picture, name);
+        const Scene scene = load_scene(picture, name);
         results.push_back(contest.measure(scene, show_progress("measuring " + name)));
         std::cout << table_of(results.back()) << std::flush;
     }
@@ -227,7 +227,7 @@ std::vector<SceneCosts> measure_scenes(const PictureOptions& picture, const Trac
 void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                     const Comparison& comparison) {
     // Scenes are loaded one after the other, but a wrong name is found before any work.
-    open_scene(picture, scenes_of(comparison).front());
+    load_scene(picture, scenes_of(comparison).front());
     const auto context = open_context(picture);
     std::cout << (comparison.embree_part != EmbreePart::none
                       ? "Embree    " + embree_name() + ", beside ours\n"

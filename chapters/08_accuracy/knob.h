@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 #include <cstddef>
 #include <functional>

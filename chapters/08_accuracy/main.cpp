@@ -13,8 +13,7 @@ int main(int argc, char** argv) {
     bool quick = false;
     add_picture_options(options, picture);
     options.flag("--quick", quick, "the default: takes under a minute");
-    options.flag("--full", full,
-                 "more rays, larger pictures and more rounds: takes some minutes");
+    options.flag("--full", full, "more rays, larger pictures and more rounds: takes some minutes");
     options.excludes("--full", {"--quick"});
     options.list("--knobs", request.knobs, "only these choices, between commas: " + knob_names());
     options.number("--seed", request.seed, "seed of all random rays", 0);

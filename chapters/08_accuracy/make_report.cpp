@@ -1,17 +1,17 @@
 #include "make_report.h"
 
-#include "knobs.h"
-#include "page.h"
-#include "run_knob.h"
-#include "scene_needs.h"
-#include "tables.h"
-#include "circumstances.h"
-#include "program/output.h"
 #include "basics/error.h"
 #include "basics/file.h"
+#include "circumstances.h"
 #include "image/image_file.h"
+#include "knobs.h"
 #include "numbers.h"
+#include "page.h"
+#include "program/output.h"
+#include "run_knob.h"
+#include "scene_needs.h"
 #include "structure/padding.h"
+#include "tables.h"
 
 #include <algorithm>
 #include <iostream>
@@ -128,7 +128,7 @@ int side_of_pictures(const PictureSize& size) {
 
 void make_report(const PictureOptions& picture, const ReportRequest& request) {
     const std::vector<KnobMaker> makers = chosen_knobs(request.knobs);
-    Scene scene = open_scene(picture);
+    Scene scene = load_scene(picture);
     const auto context = open_context(picture);
     if (!picture.json.empty()) {
         check_writable(picture.json);

@@ -13,9 +13,9 @@ Numbers fault_numbers(const Fault& fault) {
 
 Numbers measurement_numbers(const Measurement& one) {
     Numbers numbers{{"method", one.method},           {"family", one.family},
-                 {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
-                 {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
-                 {"faults", empty_list()}};
+                    {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
+                    {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
+                    {"faults", empty_list()}};
     for (const Fault& fault : one.findings.faults) {
         numbers["faults"].push_back(fault_numbers(fault));
     }

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
             }
             return;
         }
-        const Scene scene = with_samples(open_scene(picture), effects);
+        const Scene scene = with_samples(load_scene(picture), effects);
         const auto context = open_context(picture);
         if (!tracing.rays.empty()) {
             trace_ray_file(picture, tracing, scene);

@@ -1,8 +1,8 @@
 #include "prove_effects.h"
 
+#include "basics/statistics.h"
 #include "image/plot.h"
 #include "measure/contest.h"
-#include "measure/statistics.h"
 #include "render/effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
@@ -67,8 +67,7 @@ public:
         auto renderer =
             std::make_shared<WhittedRenderer>(scene_, upload(scene_, structure_), parts_, limits_);
         add("chapter 03", [this, renderer] {
-            return renderer->render(scene_.camera, size_.width, size_.height,
-                                    quality_.max_bounces);
+            return renderer->render(scene_.camera, size_.width, size_.height, quality_.max_bounces);
         });
     }
 
@@ -84,8 +83,7 @@ private:
     }
 
     Plan plan(const std::string& choice) const {
-        return make_plan(scene_, static_cast<double>(size_.width) / size_.height, choice,
-                         quality_);
+        return make_plan(scene_, static_cast<double>(size_.width) / size_.height, choice, quality_);
     }
 
     PictureSize size_;
@@ -181,11 +179,11 @@ Numbers numbers_of(const std::vector<SceneProof>& proofs) {
     Numbers numbers = empty_list();
     for (const SceneProof& proof : proofs) {
         Numbers one{{"scene", proof.scene},
-                                   {"rays", all_rays(proof.planned)},
-                                   {"uncalled_rays", uncalled_rays(proof)},
-                                   {"different_pixels", proof.different_pixels},
-                                   {"planned_seconds", proof.planned_seconds},
-                                   {"everything_seconds", proof.everything_seconds}};
+                    {"rays", all_rays(proof.planned)},
+                    {"uncalled_rays", uncalled_rays(proof)},
+                    {"different_pixels", proof.different_pixels},
+                    {"planned_seconds", proof.planned_seconds},
+                    {"everything_seconds", proof.everything_seconds}};
         if (!std::isnan(proof.chapter_03_seconds)) {
             one["chapter_03_seconds"] = proof.chapter_03_seconds;
         }

@@ -315,7 +315,7 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                      [&] { std::cout << to_toml(load(picture)); });
 }
 
-Scene open_scene(const PictureOptions& picture) {
+Scene load_scene(const PictureOptions& picture) {
     Scene scene = load(picture);
     for (const std::string& message : scene.messages) {
         std::cerr << message << "\n";
@@ -327,9 +327,9 @@ Scene open_scene(const PictureOptions& picture) {
     return scene;
 }
 
-Scene open_scene(PictureOptions picture, const std::string& scene) {
+Scene load_scene(PictureOptions picture, const std::string& scene) {
     picture.scene = scene;
-    return open_scene(picture);
+    return load_scene(picture);
 }
 
 std::unique_ptr<Context> open_context(const PictureOptions& picture) {

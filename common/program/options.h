@@ -122,10 +122,10 @@ float aspect_ratio(const PictureSize& size);
 
 // The scene of --scene with the camera of --camera. Prints what it is, and what the loader has to
 // say.
-Scene open_scene(const PictureOptions& picture);
+Scene load_scene(const PictureOptions& picture);
 
 // The same for another scene than that of --scene.
-Scene open_scene(PictureOptions picture, const std::string& scene);
+Scene load_scene(PictureOptions picture, const std::string& scene);
 
 // The context of --context, or a window where --window is given. Prints the renderer's name.
 std::unique_ptr<Context> open_context(const PictureOptions& picture);

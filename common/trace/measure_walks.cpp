@@ -52,10 +52,10 @@ void measure_walks(const std::vector<std::string>& structures, const PictureOpti
     }
     std::cout << to_table(costs) << std::flush;
     write_numbers(picture.json, {{"scene", picture.scene},
-                              {"renderer", renderer_name()},
-                              {"triangle", tracing.triangle},
-                              {"triangles", triangle_count(scene)},
-                              {"structures", numbers}});
+                                 {"renderer", renderer_name()},
+                                 {"triangle", tracing.triangle},
+                                 {"triangles", triangle_count(scene)},
+                                 {"structures", numbers}});
 }
 
 } // namespace raysteps

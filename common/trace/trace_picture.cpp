@@ -1,7 +1,7 @@
 #include "trace/trace_picture.h"
 
+#include "basics/statistics.h"
 #include "image/heat_map.h"
-#include "measure/statistics.h"
 #include "scene/ray_file.h"
 #include "structure/padding.h"
 

@@ -57,8 +57,8 @@ BvhOptions bvh_options_of(const BuildRequest& request) {
     return options;
 }
 
-std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options,
-                           const PackedStructure& packed, double seconds) {
+std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options, const PackedStructure& packed,
+                           double seconds) {
     const BvhMeasures measures = measure_bvh(bvh, options);
     const std::size_t triangles = bvh.order.size();
     const auto references = static_cast<double>(triangles); // each triangle is in one leaf
