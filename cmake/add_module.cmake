@@ -1,10 +1,11 @@
-# add_module(NAME [USES module...] [PACKAGES target...] [PRIVATE_PACKAGES target...] [WITHOUT folder...])
+# add_module(NAME [USES module...] [UNLINKED module...] [PACKAGES target...] [PRIVATE_PACKAGES target...] [WITHOUT folder...])
 # Makes the library of the folder common/NAME from the .cpp files in it and in its folders, except those of
 # WITHOUT, which are added where their package is there. USES names the modules that its includes may name
-# (docs/architecture.md, "Modules"); it can link nothing else.
+# (docs/architecture.md, "Modules"); it can link nothing else. Of those that UNLINKED names it needs types
+# alone: a program that calls none of their functions does not have to build them.
 # Files of RAYSTEPS_WORKBOOK take the place of their namesakes, and come first for the compiler.
 function(add_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES;PRIVATE_PACKAGES;WITHOUT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;UNLINKED;PACKAGES;PRIVATE_PACKAGES;WITHOUT")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   foreach(folder IN LISTS arg_WITHOUT)
     list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
@@ -17,6 +18,7 @@ function(add_module name)
       list(APPEND sources ${RAYSTEPS_WORKBOOK}/common/${name}/${file})
     endforeach()
   endif()
+  list(REMOVE_ITEM arg_USES ${arg_UNLINKED})
   list(TRANSFORM arg_USES PREPEND raysteps::)
   if(sources)
     add_library(raysteps_${name} STATIC ${sources})

@@ -1,11 +1,11 @@
 #include "compare_generations.h"
 
-#include "program/deliver.h"
-#include "basics/error.h"
+#include "basics/statistics.h"
 #include "image/heat_map.h"
 #include "image/image.h"
+#include "program/output.h"
 #include "reference/reference_ray.h"
-#include "measure/statistics.h"
+#include "render/rays.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,25 +26,15 @@ std::vector<float> lengths_of(std::span<const Ray> rays) {
 
 } // namespace
 
-RayGeneration parse_generation(const std::string& name) {
-    if (name == "interpolated") {
-        return RayGeneration::interpolated;
-    }
-    if (name == "direct") {
-        return RayGeneration::direct;
-    }
-    throw InputError("--generation " + name +
-                     ": there is no such way. Take one of interpolated, direct.");
-}
-
-void compare_generations(const Command& command, const Camera& camera) {
+void compare_generations(const Camera& camera, const PictureSize& size,
+                         const std::filesystem::path& out, const std::filesystem::path& json) {
     const auto generate = [&](RayGeneration generation) {
-        return read_rays(generate_rays(camera, command.width, command.height, generation));
+        return read_rays(generate_rays(camera, size.width, size.height, generation));
     };
     const std::vector<Ray> interpolated = generate(RayGeneration::interpolated);
     const std::vector<Ray> direct = generate(RayGeneration::direct);
     const auto errors_of = [&](std::span<const Ray> rays) {
-        return direction_errors(rays, camera, command.width, command.height);
+        return direction_errors(rays, camera, size.width, size.height);
     };
     const std::vector<float> interpolated_errors = errors_of(interpolated);
     const std::vector<float> direct_errors = errors_of(direct);
@@ -62,23 +52,22 @@ void compare_generations(const Command& command, const Camera& camera) {
     const auto upper = static_cast<float>(std::max(of_interpolated.largest, of_direct.largest));
     const HeatMapRange range{0.0f, std::max(upper, 0.1f)};
     const auto map = [&](std::span<const float> errors) {
-        return heat_map(errors, command.width, command.height, range,
-                        "error of the direction [ulp]");
+        return heat_map(errors, size.width, size.height, range, "error of the direction [ulp]");
     };
     const std::vector<Image> maps{map(interpolated_errors), map(direct_errors)};
     const std::vector<std::string> captions{"interpolated by the rasterizer",
                                             "computed by each pixel"};
-    deliver_picture(command, side_by_side(maps, captions), "errors");
+    write_picture(out / "errors.png", side_by_side(maps, captions));
 
     const auto numbers = [](const Summary& summary) {
-        return nlohmann::ordered_json{{"median_ulp", summary.median},
-                                      {"percentile_99_ulp", summary.percentile_99},
-                                      {"largest_ulp", summary.largest}};
+        return Numbers{{"median_ulp", summary.median},
+                       {"percentile_99_ulp", summary.percentile_99},
+                       {"largest_ulp", summary.largest}};
     };
-    deliver_numbers(command, {{"interpolated", numbers(of_interpolated)},
-                              {"direct", numbers(of_direct)},
-                              {"shortest_direction", *shortest},
-                              {"longest_direction", *longest}});
+    write_numbers(json, {{"interpolated", numbers(of_interpolated)},
+                         {"direct", numbers(of_direct)},
+                         {"shortest_direction", *shortest},
+                         {"longest_direction", *longest}});
 }
 
 } // namespace raysteps

@@ -1,29 +1,29 @@
 // Chapter 01: primary rays, interpolated by the rasterizer and computed by each pixel.
-#include "program/command.h"
-#include "program/deliver.h"
 #include "compare_generations.h"
+#include "program/show.h"
 #include "render/rays.h"
 #include "render/show_hits.h"
 
 using namespace raysteps;
 
 int main(int argc, char** argv) {
-    CLI::App app("Chapter 01: primary rays, interpolated and direct, and how exact they are.");
-    Command command{.chapter = "01_rays", .scene = "mirrors"};
-    std::string generation = "interpolated";
-    add_common_options(app, command);
-    app.add_option("--generation", generation, "of the picture's rays: interpolated or direct")
-        ->capture_default_str();
-    return run_command(app, command, argc, argv, [&] {
-        const RayGeneration chosen = parse_generation(generation);
-        const Scene scene = open_scene(command);
-        const auto context = open_context(command);
-        deliver(command, *context, scene.camera, "directions",
-                [&](const Camera& camera, int width, int height) {
-                    return show_directions(generate_rays(camera, width, height, chosen));
-                });
-        if (!command.window) {
-            compare_generations(command, scene.camera);
+    Options options("01_rays",
+                    "Chapter 01: primary rays, interpolated and direct, and how exact they are.");
+    PictureOptions picture{.scene = "mirrors"};
+    RayGeneration generation = RayGeneration::interpolated;
+    add_picture_options(options, picture);
+    options.choice<RayGeneration>(
+        "--generation", generation, "how the picture's rays are made",
+        {{"interpolated", RayGeneration::interpolated}, {"direct", RayGeneration::direct}});
+    return options.run(argc, argv, [&] {
+        const Scene scene = load_scene(picture);
+        const auto context = open_context(picture);
+        show_or_write(picture, *context, scene.camera, "directions",
+                      [&](const Camera& camera, int width, int height) {
+                          return show_directions(generate_rays(camera, width, height, generation));
+                      });
+        if (!picture.window) {
+            compare_generations(scene.camera, picture.size, picture.out, picture.json);
         }
     });
 }

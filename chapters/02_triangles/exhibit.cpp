@@ -1,10 +1,9 @@
 #include "exhibit.h"
 
-#include "program/deliver.h"
-#include "program/progress.h"
 #include "basics/error.h"
 #include "gpu/shaders.h"
 #include "image/image.h"
+#include "program/output.h"
 #include "reference/brute_force.h"
 #include "render/rays.h"
 #include "render/show_hits.h"
@@ -52,12 +51,12 @@ double percent_wrong(std::span<const Hit> hits, std::span<const ReferenceHit> ex
 
 struct Row {
     Image picture;
-    nlohmann::ordered_json numbers;
+    Numbers numbers;
 };
 
 // One row of the exhibit: the scene, traced by each test.
 Row show_row(const Scene& scene, const Limits& limits, const std::string& size) {
-    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    Numbers numbers = empty_list();
     const SceneTextures textures = upload(scene);
     const RayTextures rays = generate_rays(scene.camera, side, side, RayGeneration::direct);
     const std::vector<ReferenceHit> expected = nearest_hits(read_rays(rays), scene.corners);
@@ -100,15 +99,16 @@ std::string refusal_of_compiler() {
 
 } // namespace
 
-void show_exhibit(const Command& command, const Scene& scene) {
+void show_exhibit(const Scene& scene, const std::filesystem::path& out,
+                  const std::filesystem::path& json) {
     const Limits limits = measure_limits();
     std::cout << "as printed: " << refusal_of_compiler();
     const Row own_size = show_row(scene, limits, "own size");
     const Row small = show_row(scaled(scene, 0.001f), limits, "a thousandth");
     const Row inside = show_row(inside_a_ball(scene), limits, "inside a ball");
-    deliver_picture(command, stack(stack(own_size.picture, small.picture), inside.picture),
-                    "exhibit");
-    deliver_numbers(command, {own_size.numbers, small.numbers, inside.numbers});
+    write_picture(out / "exhibit.png",
+                  stack(stack(own_size.picture, small.picture), inside.picture));
+    write_numbers(json, Numbers::List{own_size.numbers, small.numbers, inside.numbers});
 }
 
 } // namespace raysteps

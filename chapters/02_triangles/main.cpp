@@ -1,49 +1,50 @@
 // Chapter 02: the loop over every triangle.
-#include "program/command.h"
-#include "program/deliver.h"
-#include "program/timed_trace.h"
-#include "program/tracing_options.h"
+// load_scene -> upload -> trace -> show -> write
 #include "exhibit.h"
-#include "gpu/shaders.h"
-#include "render/rays.h"
 #include "render/show_hits.h"
+#include "trace/trace_picture.h"
 
 using namespace raysteps;
 
 int main(int argc, char** argv) {
-    CLI::App app("Chapter 02: rays and triangles, one by one.");
-    Command command{.chapter = "02_triangles", .scene = "knot:2"};
+    Options options("02_triangles", "Chapter 02: rays and triangles, one by one.");
+    PictureOptions picture{.scene = "knot:2"};
+    TraceOptions tracing;
     std::string view = "normals";
     bool exhibit = false;
-    add_common_options(app, command);
-    add_tracing_options(app, command);
-    app.add_option("--view", view, "normals, facets, depth, hits, triangles or barycentric")
-        ->capture_default_str();
-    app.add_flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired")
-        ->excludes("--rays", "--window");
-    return run_command(app, command, argc, argv, [&] {
-        const Parts parts = trace_parts(command);
-        const std::string view_part = find_part("view", view);
-        const Scene scene = open_scene(command);
-        const auto context = open_context(command);
+    add_picture_options(options, picture);
+    add_trace_options(options, tracing);
+    options.choice("--view", view, "what to show of the hits", part_names("view"));
+    options.flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
+    options.excludes("--exhibit", {"--rays", "--window"});
+    return options.run(argc, argv, [&] {
+        const Scene scene = load_scene(picture);
+        const auto context = open_context(picture);
         if (exhibit) {
-            show_exhibit(command, scene);
+            show_exhibit(scene, picture.out, picture.json);
             return;
         }
-        if (!command.rays.empty()) {
-            trace_ray_file(command, parts, scene);
+        if (!tracing.rays.empty()) {
+            trace_ray_file(picture, tracing, scene);
             return;
         }
-        const SceneTextures textures = upload(scene, build_structure(command, scene));
-        TimedTrace trace(command, parts, textures);
-        deliver(command, *context, scene.camera, picture_name(command) + "_" + view,
-                [&](const Camera& camera, int width, int height) {
-                    const RayTextures rays =
-                        generate_rays(camera, width, height, RayGeneration::direct);
-                    const Texture hits = trace.closest_hits(
-                        rays, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-                    return show_hits(rays, hits, textures, camera, scene.background, view_part);
-                });
-        trace.report();
+        const BuiltStructure built = build_structure(
+            tracing.structure, scene.corners,
+            {.reach = camera_reach(picture, scene), .values = tracing.build_values});
+        const SceneTextures textures = upload(scene, built);
+        TraceRays trace(trace_parts(tracing.triangle, tracing.structure), measure_limits());
+        trace.report_progress(show_progress("tracing"));
+        TraceTime time;
+        show_or_write(picture, *context, scene.camera, picture_name(picture.scene) + "_" + view,
+                      [&](const Camera& camera, int width, int height) {
+                          const RayTextures rays =
+                              generate_rays(camera, width, height, RayGeneration::direct);
+                          const auto [hits, seconds] =
+                              timed([&] { return trace.closest_hits(rays, textures); });
+                          time = {static_cast<double>(width) * height, seconds};
+                          return show_hits(rays, hits, textures, camera, scene.background,
+                                           find_part("view", view));
+                      });
+        report_trace(picture, tracing, textures, time);
     });
 }

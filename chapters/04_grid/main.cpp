@@ -1,37 +1,75 @@
 // Chapter 04: the uniform grid.
-#include "program/command.h"
-#include "program/measure_command.h"
-#include "program/show_trace.h"
-#include "program/tracing_options.h"
+// load_scene -> build_grid -> pack -> upload -> trace -> show -> write
 #include "plot_resolution.h"
+#include "render/show_hits.h"
+#include "structure/grid/build_grid.h"
+#include "trace/measure_walks.h"
+#include "trace/trace_picture.h"
 
 using namespace raysteps;
 
+namespace {
+
+BuiltStructure grid_over(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const GridOptions options = grid_options_of(request);
+    auto [grid, seconds] = timed([&] { return build_grid(corners, options); });
+    const std::vector<Fact> facts = facts_of(grid, corners.size() / 3, seconds);
+    return {.packed = pack(std::move(grid)), .facts = facts};
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
-    CLI::App app("Chapter 04: rays through the cells of a uniform grid.");
-    Command command{.chapter = "04_grid", .scene = "bunny"};
-    command.structure = "grid";
-    std::string view = "normals";
+    Options options("04_grid", "Chapter 04: rays through the cells of a uniform grid.");
+    PictureOptions picture{.scene = "bunny"};
+    TraceOptions tracing{.structure = "grid"};
+    std::string view = "visits";
     bool measure = false;
     bool plot = false;
-    add_common_options(app, command);
-    add_tracing_options(app, command);
-    add_view_option(app, view);
-    app.add_flag("--measure", measure, "measure the grid with and without repeated tests")
-        ->excludes("--rays", "--window", "--structure", "--view");
-    app.add_flag("--plot", plot, "plot steps, tests and time against the resolution")
-        ->excludes("--rays", "--window", "--measure", "--view", "--resolution", "--density");
-    return run_command(app, command, argc, argv, [&] {
-        if (measure || plot) {
-            const Scene scene = open_scene(command);
-            const auto context = open_context(command);
-            if (plot) {
-                plot_resolution(command, scene);
-            } else {
-                measure_and_report(command, scene, {"grid", "grid_mailbox"});
-            }
+    add_picture_options(options, picture);
+    add_trace_options(options, tracing);
+    add_view_option(options, view, tracing);
+    options.flag("--measure", measure, "measure the grid with and without repeated tests");
+    options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
+    options.flag("--plot", plot, "plot steps, tests and time against the resolution");
+    options.excludes("--plot",
+                     {"--rays", "--window", "--measure", "--view", "--resolution", "--density"});
+    return options.run(argc, argv, [&] {
+        const Scene scene = load_scene(picture);
+        const auto context = open_context(picture);
+        if (plot) {
+            plot_resolution(picture, tracing, scene);
             return;
         }
-        show_trace(command, view);
+        if (measure) {
+            measure_walks({"grid", "grid_mailbox"}, picture, tracing, scene);
+            return;
+        }
+        if (!tracing.rays.empty()) {
+            trace_ray_file(picture, tracing, scene);
+            return;
+        }
+        const BuiltStructure built =
+            build_structure(tracing.structure, scene.corners,
+                            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
+                            {{"grid", grid_over}});
+        const SceneTextures textures = upload(scene, built);
+        TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
+        trace.report_progress(show_progress("tracing"));
+        TraceTime time;
+        const std::string name = picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
+        show_or_write(picture, *context, scene.camera, name,
+                      [&](const Camera& camera, int width, int height) {
+                          const RayTextures rays =
+                              generate_rays(camera, width, height, RayGeneration::direct);
+                          const auto [hits, seconds] =
+                              timed([&] { return trace.closest_hits(rays, textures); });
+                          time = {static_cast<double>(width) * height, seconds};
+                          return is_heat_map(view)
+                                     ? show_work(*trace.observations(), view, tracing.structure)
+                                     : show_hits(rays, hits, textures, camera, scene.background,
+                                                 find_part("view", view));
+                      });
+        report_trace(picture, tracing, textures, time);
     });
 }

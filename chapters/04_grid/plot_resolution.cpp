@@ -3,12 +3,8 @@
 #include "basics/error.h"
 #include "image/plot.h"
 #include "measure/measure_structures.h"
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/tracing_options.h"
+#include "program/output.h"
 #include "structure/structure.h"
-
-#include <iostream>
 
 namespace raysteps {
 
@@ -21,16 +17,17 @@ const std::vector<int> resolutions{1, 2, 4, 8, 12, 16, 24, 32, 48, 64, 96, 128, 
 
 } // namespace
 
-void plot_resolution(const Command& command, const Scene& scene) {
-    check_build_values(command, {{command.structure}});
-    if (family_of(command.structure).name != "grid") {
-        throw InputError("--structure " + command.structure +
+void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
+                     const Scene& scene) {
+    check_build_values(tracing.build_values, {{tracing.structure}});
+    if (family_of(tracing.structure).name != "grid") {
+        throw InputError("--structure " + tracing.structure +
                          ": --plot is about grids. Take grid or grid_mailbox.");
     }
     PlotLine visits{"cells visited", {}};
     PlotLine tests{"triangles tested", {}};
     PlotLine time{"time in ns", {}};
-    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    Numbers numbers = empty_list();
     const Limits limits = measure_limits();
     const auto progress = show_progress("resolutions");
     double done = 0.0;
@@ -40,12 +37,12 @@ void plot_resolution(const Command& command, const Scene& scene) {
             most_triangles_a_cell) {
             continue;
         }
-        MeasureRequest request{.structures = {command.structure},
-                               .build_values = command.build_values,
-                               .triangle = command.triangle,
+        MeasureRequest request{.structures = {tracing.structure},
+                               .build_values = tracing.build_values,
+                               .triangle = tracing.triangle,
                                .kinds = {"primary"},
-                               .width = command.width,
-                               .height = command.height};
+                               .width = picture.size.width,
+                               .height = picture.size.height};
         request.build_values["resolution"] = std::to_string(resolution);
         const SceneCosts costs = StructureContest(request, limits).measure(scene, [](double) {});
         const RayCosts& primary = costs.rays.front();
@@ -58,18 +55,19 @@ void plot_resolution(const Command& command, const Scene& scene) {
                            {"nanoseconds_per_ray", 1000.0 / primary.rate.median}});
     }
     progress(1.0);
-    const std::filesystem::path path = command.out / (picture_name(command) + "_resolution.png");
+    const std::filesystem::path path =
+        picture.out / (picture_name(picture.scene) + "_resolution.png");
     write_plot(path, {.title = "A grid over " + scene.name + ": what a ray costs",
                       .x_label = "cells along the longest side",
                       .y_label = "a ray",
                       .x_scale = PlotScale::logarithmic,
                       .y_scale = PlotScale::logarithmic,
                       .lines = {visits, tests, time}});
-    std::cout << "wrote     " << path.string() << "\n";
-    deliver_numbers(command, {{"scene", command.scene},
-                              {"structure", command.structure},
-                              {"renderer", renderer_name()},
-                              {"resolutions", numbers}});
+    print_written(path);
+    write_numbers(picture.json, {{"scene", picture.scene},
+                                 {"structure", tracing.structure},
+                                 {"renderer", renderer_name()},
+                                 {"resolutions", numbers}});
 }
 
 } // namespace raysteps

@@ -1,30 +1,68 @@
 // Chapter 06: the bounding volume hierarchy.
-#include "program/command.h"
-#include "program/measure_command.h"
-#include "program/show_trace.h"
-#include "program/tracing_options.h"
+// load_scene -> build_bvh -> pack -> upload -> trace -> show -> write
+#include "render/show_hits.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/bvh/family_bvh.h"
+#include "trace/measure_walks.h"
+#include "trace/trace_picture.h"
 
 using namespace raysteps;
 
+namespace {
+
+BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const BvhOptions options = bvh_options_of(request);
+    const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
+    const PackedStructure packed = pack(bvh, corners);
+    return {.packed = packed, .facts = facts_of(bvh, options, packed, seconds)};
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
-    CLI::App app("Chapter 06: rays through a hierarchy of boxes.");
-    Command command{.chapter = "06_bvh", .scene = "bunny"};
-    command.structure = "bvh_ordered";
-    std::string view = "normals";
+    Options options("06_bvh", "Chapter 06: rays through a hierarchy of boxes.");
+    PictureOptions picture{.scene = "bunny"};
+    TraceOptions tracing{.structure = "bvh_ordered"};
+    std::string view = "visits";
     bool measure = false;
-    add_common_options(app, command);
-    add_tracing_options(app, command);
-    add_view_option(app, view);
-    app.add_flag("--measure", measure, "measure all walks of the hierarchy, side by side")
-        ->excludes("--rays", "--window", "--structure", "--view");
-    return run_command(app, command, argc, argv, [&] {
+    add_picture_options(options, picture);
+    add_trace_options(options, tracing);
+    add_view_option(options, view, tracing);
+    options.flag("--measure", measure, "measure all walks of the hierarchy, side by side");
+    options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
+    return options.run(argc, argv, [&] {
+        const Scene scene = load_scene(picture);
+        const auto context = open_context(picture);
         if (measure) {
-            const Scene scene = open_scene(command);
-            const auto context = open_context(command);
-            measure_and_report(command, scene,
-                               {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"});
+            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing,
+                          scene);
             return;
         }
-        show_trace(command, view);
+        if (!tracing.rays.empty()) {
+            trace_ray_file(picture, tracing, scene);
+            return;
+        }
+        const BuiltStructure built =
+            build_structure(tracing.structure, scene.corners,
+                            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
+                            {{"bvh", bvh_over}});
+        const SceneTextures textures = upload(scene, built);
+        TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
+        trace.report_progress(show_progress("tracing"));
+        TraceTime time;
+        const std::string name = picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
+        show_or_write(picture, *context, scene.camera, name,
+                      [&](const Camera& camera, int width, int height) {
+                          const RayTextures rays =
+                              generate_rays(camera, width, height, RayGeneration::direct);
+                          const auto [hits, seconds] =
+                              timed([&] { return trace.closest_hits(rays, textures); });
+                          time = {static_cast<double>(width) * height, seconds};
+                          return is_heat_map(view)
+                                     ? show_work(*trace.observations(), view, tracing.structure)
+                                     : show_hits(rays, hits, textures, camera, scene.background,
+                                                 find_part("view", view));
+                      });
+        report_trace(picture, tracing, textures, time);
     });
 }

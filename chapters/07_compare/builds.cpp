@@ -1,10 +1,9 @@
 #include "builds.h"
 
 #include "basics/error.h"
-#include "basics/file.h"
 #include "basics/text.h"
 #include "measure/contest.h"
-#include "program/progress.h"
+#include "program/output.h"
 #include "reference/embree/embree.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/bvh.h"
@@ -91,26 +90,23 @@ std::string to_csv(const std::vector<BuildContest>& contests) {
     return csv;
 }
 
-void run_builds(const Command& command, const Comparison& comparison) {
+void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
+                const Comparison& comparison) {
     if (embree_name().empty()) {
         throw MachineError("--builds: this program was built without Embree. Install the package "
                            "libembree-dev, and build again.");
     }
     std::vector<BuildContest> contests;
     for (const std::string& name : comparison.scenes) {
-        Command own = command;
-        own.scene = name;
-        const Scene scene = open_scene(own);
-        contests.push_back(contest_builds(scene, {.values = command.build_values},
+        const Scene scene = load_scene(picture, name);
+        contests.push_back(contest_builds(scene, {.values = tracing.build_values},
                                           comparison.rounds, show_progress("building " + name)));
     }
     std::cout << "A BVH by our builder and by " << embree_name()
               << ", one thread each: median processor time of " << comparison.rounds
               << " rounds, and its range\n"
               << to_table(contests) << "(cost: expected cost per ray, over that of a full sweep)\n";
-    const std::filesystem::path path = command.out / "builds.csv";
-    write_file(path, to_csv(contests));
-    std::cout << "wrote     " << path.string() << "\n";
+    write_text(picture.out / "builds.csv", to_csv(contests));
 }
 
 } // namespace raysteps

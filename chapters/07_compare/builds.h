@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 #include "render/trace_rays.h"
 #include "run_comparison.h"
 #include "scene/scene.h"
@@ -33,6 +33,7 @@ std::string to_csv(const std::vector<BuildContest>& contests);
 
 // Builds a BVH of each scene in turn with Embree, prints the table, and writes builds.csv to the
 // folder of --out.
-void run_builds(const Command& command, const Comparison& comparison);
+void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
+                const Comparison& comparison);
 
 } // namespace raysteps

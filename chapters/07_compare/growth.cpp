@@ -1,11 +1,11 @@
 #include "growth.h"
 
 #include "image/plot.h"
+#include "program/output.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iostream>
 #include <map>
 
 namespace raysteps {
@@ -114,7 +114,7 @@ void plot_growth(const std::filesystem::path& folder, std::span<const GrowthLine
                           .x_scale = PlotScale::logarithmic,
                           .y_scale = PlotScale::logarithmic,
                           .lines = drawn});
-        std::cout << "wrote     " << path.string() << "\n";
+        print_written(path);
     }
 }
 

@@ -1,16 +1,12 @@
 #include "run_comparison.h"
 
-#include "basics/file.h"
 #include "basics/text.h"
 #include "claims.h"
 #include "growth.h"
 #include "measure/measure_structures.h"
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/tracing_options.h"
+#include "program/output.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 
@@ -102,13 +98,11 @@ std::string table_of(std::span<const ClaimResult> claims) {
     return table;
 }
 
-using Json = nlohmann::ordered_json;
-
-Json row_numbers(const RayCosts& row) {
-    Json numbers{{"contender", row.contender}, {"rays", row.rays},
-                 {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
-                 {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
-                 {"cores", row.cores},         {"other_answers", row.different}};
+Numbers row_numbers(const RayCosts& row) {
+    Numbers numbers{{"contender", row.contender}, {"rays", row.rays},
+                    {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
+                    {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
+                    {"cores", row.cores},         {"other_answers", row.different}};
     if (!is_embree(row.contender)) {
         numbers["visits_per_ray"] = row.visits_per_ray;
         numbers["tests_per_ray"] = row.tests_per_ray;
@@ -117,8 +111,8 @@ Json row_numbers(const RayCosts& row) {
 }
 
 // The rows of one kind, our best walk among them, and its ratio to Embree.
-Json kind_numbers(const SceneCosts& result, const std::string& kind) {
-    Json numbers{{"kind", kind}, {"walks", Json::array()}};
+Numbers kind_numbers(const SceneCosts& result, const std::string& kind) {
+    Numbers numbers{{"kind", kind}, {"walks", empty_list()}};
     for (const RayCosts& row : result.rays) {
         if (row.kind == kind) {
             numbers["walks"].push_back(row_numbers(row));
@@ -134,16 +128,16 @@ Json kind_numbers(const SceneCosts& result, const std::string& kind) {
     return numbers;
 }
 
-Json scene_numbers(const SceneCosts& result) {
-    Json builds = Json::array();
+Numbers scene_numbers(const SceneCosts& result) {
+    Numbers builds = empty_list();
     for (const BuildCosts& build : result.builds) {
-        Json facts = Json::object();
+        Numbers facts = empty_object();
         for (const Fact& fact : build.facts) {
             facts[fact.name] = fact.value;
         }
         builds.push_back({{"contender", build.contender}, {"facts", facts}});
     }
-    Json kinds = Json::array();
+    Numbers kinds = empty_list();
     for (const std::string& kind : kinds_of(std::span(&result, 1))) {
         kinds.push_back(kind_numbers(result, kind));
     }
@@ -153,8 +147,8 @@ Json scene_numbers(const SceneCosts& result) {
             {"rays", kinds}};
 }
 
-Json claim_numbers(const ClaimResult& claim) {
-    Json cases = Json::array();
+Numbers claim_numbers(const ClaimResult& claim) {
+    Numbers cases = empty_list();
     for (const ClaimCase& one : claim.cases) {
         cases.push_back(
             {{"scene", one.scene}, {"verdict", to_words(one.verdict)}, {"numbers", one.numbers}});
@@ -165,8 +159,8 @@ Json claim_numbers(const ClaimResult& claim) {
             {"cases", cases}};
 }
 
-Json growth_numbers(const GrowthLine& line) {
-    Json points = Json::array();
+Numbers growth_numbers(const GrowthLine& line) {
+    Numbers points = empty_list();
     for (const GrowthPoint& point : line.points) {
         points.push_back({{"triangles", point.triangles}, {"cost", point.cost}});
     }
@@ -178,16 +172,16 @@ Json growth_numbers(const GrowthLine& line) {
 
 // For programs: per scene and kind of rays the rates of all contenders, our best walk, and its
 // ratio to Embree by single rays where that took part; then claims and growth.
-Json to_json(const ComparisonReport& report) {
-    Json scenes = Json::array();
+Numbers numbers_of(const ComparisonReport& report) {
+    Numbers scenes = empty_list();
     for (const SceneCosts& result : report.results) {
         scenes.push_back(scene_numbers(result));
     }
-    Json claims = Json::array();
+    Numbers claims = empty_list();
     for (const ClaimResult& claim : report.claims) {
         claims.push_back(claim_numbers(claim));
     }
-    Json growth = Json::array();
+    Numbers growth = empty_list();
     for (const GrowthLine& line : report.growth) {
         growth.push_back(growth_numbers(line));
     }
@@ -206,49 +200,40 @@ std::vector<std::string> scenes_of(const Comparison& comparison) {
     return scenes;
 }
 
-// Scenes are loaded one after the other, but a wrong name is found before any work.
-Scene open(Command command, const std::string& scene) {
-    command.scene = scene;
-    return open_scene(command);
-}
-
-std::vector<SceneCosts> measure_scenes(const Command& command, const Comparison& comparison) {
+std::vector<SceneCosts> measure_scenes(const PictureOptions& picture, const TraceOptions& tracing,
+                                       const Comparison& comparison) {
     StructureContest contest({.structures = comparison.structures,
-                              .build_values = command.build_values,
-                              .triangle = command.triangle,
+                              .build_values = tracing.build_values,
+                              .triangle = tracing.triangle,
                               .kinds = {"primary", "shadow", "reflection", "bounce"},
                               .embree = comparison.embree_part,
                               .judge = "bvh_ordered",
-                              .width = command.width,
-                              .height = command.height,
+                              .width = picture.size.width,
+                              .height = picture.size.height,
                               .rounds = comparison.rounds,
                               .most_seconds = comparison.most_seconds},
                              measure_limits());
     std::vector<SceneCosts> results;
     for (const std::string& name : scenes_of(comparison)) {
-        const Scene scene = open(command, name);
+        const Scene scene = load_scene(picture, name);
         results.push_back(contest.measure(scene, show_progress("measuring " + name)));
         std::cout << table_of(results.back()) << std::flush;
     }
     return results;
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-    write_file(path, text);
-    std::cout << "wrote     " << path.string() << "\n";
-}
-
 } // namespace
 
-void run_comparison(const Command& command, const Comparison& comparison) {
-    trace_parts(command); // refuses a wrong --triangle or --structure before any work
-    open(command, scenes_of(comparison).front());
-    const auto context = open_context(command);
+void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
+                    const Comparison& comparison) {
+    // Scenes are loaded one after the other, but a wrong name is found before any work.
+    load_scene(picture, scenes_of(comparison).front());
+    const auto context = open_context(picture);
     std::cout << (comparison.embree_part != EmbreePart::none
                       ? "Embree    " + embree_name() + ", beside ours\n"
                       : "Embree    takes no part (to have it: the package libembree-dev, and "
                         "--embree auto)\n");
-    ComparisonReport report{.results = measure_scenes(command, comparison),
+    ComparisonReport report{.results = measure_scenes(picture, tracing, comparison),
                             .claims = {},
                             .renderer = renderer_name(),
                             .embree =
@@ -263,11 +248,11 @@ void run_comparison(const Command& command, const Comparison& comparison) {
     std::cout << "\nThe paper's claims (Mrays/s of the fastest walk of each family)\n"
               << table_of(report.claims) << to_table(report.growth) << "\n";
 
-    const std::string numbers = to_json(report).dump(2) + "\n";
-    write(command.out / "compare.csv", to_csv(report.results));
-    write(command.out / "compare.json", numbers);
-    deliver_numbers(command, to_json(report));
-    plot_growth(command.out, report.growth);
+    const Numbers numbers = numbers_of(report);
+    write_text(picture.out / "compare.csv", to_csv(report.results));
+    write_numbers(picture.out / "compare.json", numbers);
+    write_numbers(picture.json, numbers);
+    plot_growth(picture.out, report.growth);
 }
 
 } // namespace raysteps

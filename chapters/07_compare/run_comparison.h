@@ -1,7 +1,7 @@
 #pragma once
 
-#include "program/command.h"
 #include "reference/embree/embree.h"
+#include "trace/trace_options.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +22,7 @@ struct Comparison {
 
 // Measures all structures in all scenes, prints tables and verdicts, and writes compare.csv,
 // compare.json and the plots to the folder of --out, and the JSON to the file of --json as well.
-void run_comparison(const Command& command, const Comparison& comparison);
+void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
+                    const Comparison& comparison);
 
 } // namespace raysteps

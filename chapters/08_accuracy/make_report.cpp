@@ -5,8 +5,7 @@
 #include "basics/text.h"
 #include "gpu/context.h"
 #include "image/image_file.h"
-#include "program/deliver.h"
-#include "program/progress.h"
+#include "program/output.h"
 #include "scene_needs.h"
 #include "structure/padding.h"
 #include "subject.h"
@@ -14,7 +13,6 @@
 #include "verdict.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,8 +25,6 @@
 namespace raysteps {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // All that a report says.
 struct AccuracyReport {
@@ -184,14 +180,14 @@ std::string to_word(TradeOffKind kind) {
     return "speed_only";
 }
 
-Json rate_numbers(const FaultRate& rate) {
+Numbers rate_numbers(const FaultRate& rate) {
     return {
         {"per_million", rate.counted}, {"lower_bound", rate.lowest}, {"upper_bound", rate.highest}};
 }
 
 // A method over all families.
-Json method_numbers(const MethodSummary& method, bool dominated) {
-    Json numbers{{"method", method.method},
+Numbers method_numbers(const MethodSummary& method, bool dominated) {
+    Numbers numbers{{"method", method.method},
                  {"nanoseconds", method.cost.median},
                  {"lowest", method.cost.lowest},
                  {"highest", method.cost.highest},
@@ -205,20 +201,24 @@ Json method_numbers(const MethodSummary& method, bool dominated) {
     return numbers;
 }
 
-Json measurement_numbers(const Measurement& one) {
-    Json numbers{{"method", one.method},           {"family", one.family},
+Numbers measurement_numbers(const Measurement& one) {
+    Numbers numbers{{"method", one.method},           {"family", one.family},
                  {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
                  {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
-                 {"faults", Json::array()},        {"measures", Json::object()}};
+                 {"faults", empty_list()},        {"measures", empty_object()}};
     for (const Fault& fault : one.findings.faults) {
-        Json& own = numbers["faults"].emplace_back(
-            Json{{"name", fault.name}, {"count", fault.count}, {"of", fault.of}});
-        own.update(rate_numbers(fault_rate(fault.count, fault.of)));
+        const FaultRate rate = fault_rate(fault.count, fault.of);
+        numbers["faults"].push_back({{"name", fault.name},
+                                     {"count", fault.count},
+                                     {"of", fault.of},
+                                     {"per_million", rate.counted},
+                                     {"lower_bound", rate.lowest},
+                                     {"upper_bound", rate.highest}});
     }
     if (one.findings.error) {
-        numbers["error"] = {{"median", one.findings.error->median},
-                            {"percentile_99", one.findings.error->percentile_99},
-                            {"largest", one.findings.error->largest}};
+        numbers["error"] = Numbers{{"median", one.findings.error->median},
+                                   {"percentile_99", one.findings.error->percentile_99},
+                                   {"largest", one.findings.error->largest}};
     }
     for (const Measure& measure : one.findings.measures) {
         numbers["measures"][measure.name] = measure.value;
@@ -226,16 +226,16 @@ Json measurement_numbers(const Measurement& one) {
     return numbers;
 }
 
-Json result_numbers(const TradeOffResult& result) {
-    Json numbers{{"trade_off", result.name},
+Numbers result_numbers(const TradeOffResult& result) {
+    Numbers numbers{{"trade_off", result.name},
                  {"question", result.question},
                  {"source", result.source},
                  {"kind", to_word(result.kind)},
                  {"unit_of_cases", result.unit_of_cases},
                  {"unit_of_error", result.unit_of_error},
-                 {"methods", Json::array()},
-                 {"measurements", Json::array()},
-                 {"pictures", Json::array()}};
+                 {"methods", empty_list()},
+                 {"measurements", empty_list()},
+                 {"pictures", empty_list()}};
     const std::vector<MethodSummary> summaries = summarize_methods(result);
     for (const MethodSummary& method : summaries) {
         numbers["methods"].push_back(method_numbers(method, is_dominated(method, summaries)));
@@ -251,12 +251,12 @@ Json result_numbers(const TradeOffResult& result) {
 }
 
 // For programs, and for scripts/accuracy_page.
-Json to_json(const AccuracyReport& report) {
-    Json numbers{{"scene", report.scene},
-                 {"circumstances", Json::object()},
+Numbers to_numbers(const AccuracyReport& report) {
+    Numbers numbers{{"scene", report.scene},
+                 {"circumstances", empty_object()},
                  {"scene_needs", report.scene_needs},
-                 {"advice", Json::array()},
-                 {"trade_offs", Json::array()}};
+                 {"advice", empty_list()},
+                 {"trade_offs", empty_list()}};
     for (const auto& [name, value] : report.circumstances) {
         numbers["circumstances"][name] = value;
     }
@@ -294,7 +294,7 @@ void make_page(const std::filesystem::path& json) {
         throw MachineError(page.string() + ": scripts/accuracy_page does not make it, for the "
                                            "reason above.");
     }
-    std::cout << "wrote     " << page.string() << "\n";
+    print_written(page);
 }
 
 constexpr std::uintmax_t most_bytes_of_report = 256U << 20U;
@@ -327,11 +327,6 @@ Effort affordable(Effort effort, const Subject& mesh) {
     effort.judged_rays = std::min(effort.judged_rays, rays);
     effort.timed_rays = std::min(effort.timed_rays, effort.judged_rays);
     return effort;
-}
-
-void write(const std::filesystem::path& path, const std::string& text) {
-    write_file(path, text);
-    std::cout << "wrote     " << path.string() << "\n";
 }
 
 // Nobody should wait for minutes to learn that a file cannot be written. What is there stays.
@@ -376,25 +371,25 @@ std::string trade_off_names() {
     return names;
 }
 
-void refuse_window(const Command& command) {
-    if (command.window) {
+void refuse_window(const PictureOptions& picture) {
+    if (picture.window) {
         throw InputError("--window: the report of chapter 08 is a page. Leave the option out, and "
                          "open accuracy.html in a browser.");
     }
 }
 
-int side_of_pictures(const Command& command) {
-    return std::max(8, std::min(command.width, command.height));
+int side_of_pictures(const PictureSize& size) {
+    return std::max(8, std::min(size.width, size.height));
 }
 
-void make_report(const Command& command, const ReportRequest& request) {
+void make_report(const PictureOptions& options, const ReportRequest& request) {
     const std::vector<TradeOffMaker> makers = chosen_makers(request.trade_offs);
-    Scene scene = open_scene(command);
-    const auto context = open_context(command);
-    if (!command.json.empty()) {
-        check_writable(command.json);
+    Scene scene = load_scene(options);
+    const auto context = open_context(options);
+    if (!options.json.empty()) {
+        check_writable(options.json);
     }
-    check_writable(command.out / "accuracy.html");
+    check_writable(options.out / "accuracy.html");
     TradeOffRequest trade_offs{nullptr, nullptr, request.effort};
     trade_offs.effort.limits = measure_limits();
     trade_offs.effort.seed = request.seed;
@@ -406,7 +401,7 @@ void make_report(const Command& command, const ReportRequest& request) {
     trade_offs.mesh = aim_at_scene ? trade_offs.scene : usual_subject();
     trade_offs.effort = affordable(trade_offs.effort, *trade_offs.mesh);
 
-    AccuracyReport report{.scene = command.scene,
+    AccuracyReport report{.scene = options.scene,
                           .circumstances = circumstances_of(trade_offs.effort),
                           .scene_needs = to_sentences(needs)};
     for (const TradeOffMaker& maker : makers) {
@@ -419,19 +414,19 @@ void make_report(const Command& command, const ReportRequest& request) {
             report.advice.push_back(std::move(advice));
         }
         for (const TradeOffPicture& picture : result.pictures) {
-            write_png(command.out / file_of(result, picture), picture.image);
+            write_png(options.out / file_of(result, picture), picture.image);
         }
     }
     print_advice(report.advice);
-    std::cout << "\nWhat " << command.scene << " needs\n";
+    std::cout << "\nWhat " << options.scene << " needs\n";
     for (const std::string& sentence : report.scene_needs) {
         std::cout << "  " << sentence << "\n";
     }
-    write(command.out / "accuracy.csv", to_csv(report.results));
-    write(command.out / "accuracy.json", to_json(report).dump(2) + "\n");
-    deliver_numbers(command, to_json(report));
+    write_text(options.out / "accuracy.csv", to_csv(report.results));
+    write_text(options.out / "accuracy.json", to_numbers(report).to_json() + "\n");
+    write_numbers(options.json, to_numbers(report));
     std::cout << std::flush;
-    make_page(command.out / "accuracy.json");
+    make_page(options.out / "accuracy.json");
 }
 
 } // namespace raysteps

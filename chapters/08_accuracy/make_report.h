@@ -1,6 +1,6 @@
 #pragma once
 
-#include "program/command.h"
+#include "program/options.h"
 #include "trade_off.h"
 
 #include <string>
@@ -23,16 +23,16 @@ Effort full_effort();
 std::string trade_off_names();
 
 // The report is a page: throws InputError where --window was given.
-void refuse_window(const Command& command);
+void refuse_window(const PictureOptions& picture);
 
 // The smaller side of --size, since pictures are square, and 8 pixels at least, the window in which
 // 08_accuracy/judges.h compares them.
-int side_of_pictures(const Command& command);
+int side_of_pictures(const PictureSize& size);
 
 // Measures, prints a table per trade-off, and writes accuracy.json, accuracy.csv and the pictures
 // to the folder of --out; then scripts/accuracy_page makes accuracy.html of them. Checks before any
 // work whether files can be written there, and the one of --json; throws InputError where they
 // cannot, and MachineError where there is no Python to make the page.
-void make_report(const Command& command, const ReportRequest& request);
+void make_report(const PictureOptions& picture, const ReportRequest& request);
 
 } // namespace raysteps

@@ -1,51 +1,42 @@
 // Chapter 09: a picture with only those effects that its scene calls for.
-#include "program/command.h"
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/timed_trace.h"
-#include "program/tracing_options.h"
 #include "basics/error.h"
 #include "prove_effects.h"
 #include "render_effects.h"
+#include "trace/trace_picture.h"
 
 using namespace raysteps;
 
 int main(int argc, char** argv) {
-    CLI::App app("Chapter 09: only the effects that a scene calls for.");
-    Command command{.chapter = "09_effects", .scene = "glass_box", .size = "384x384"};
-    command.structure = "bvh_ordered";
-    EffectOptions options;
-    add_common_options(app, command);
-    add_tracing_options(app, command);
-    add_effect_options(app, options);
+    Options options("09_effects", "Chapter 09: only the effects that a scene calls for.");
+    PictureOptions picture{.scene = "glass_box", .size = {384, 384}};
+    TraceOptions tracing{.structure = "bvh_ordered"};
+    EffectOptions effects;
     Proof proof{.scenes = {"cornell_box", "mirrors", "sphereflake:2", "glass_box", "glass_bunny",
                            "pictures", "soft_light", "lens", "room"}};
     bool prove = false;
-    app.add_flag("--prove", prove, "compare planned effects with every effect, in many scenes")
-        ->excludes("--rays", "--window", "--scene");
-    app.add_option("--scenes", proof.scenes, "of --prove, between commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    app.add_option("--rounds", proof.rounds, "of --prove: how often each picture is measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    return run_command(app, command, argc, argv, [&] {
-        const Parts parts = trace_parts(command);
+    add_picture_options(options, picture);
+    add_trace_options(options, tracing);
+    add_effect_options(options, effects);
+    options.flag("--prove", prove, "compare planned effects with every effect, in many scenes");
+    options.excludes("--prove", {"--rays", "--window", "--scene"});
+    options.list("--scenes", proof.scenes, "the scenes of --prove, between commas");
+    options.number("--rounds", proof.rounds, "how often --prove measures each picture", 1, 1000);
+    return options.run(argc, argv, [&] {
         if (prove) {
-            const auto context = open_context(command);
-            if (!prove_effects(command, proof, options.quality, parts)) {
+            const auto context = open_context(picture);
+            if (!prove_effects(picture, tracing, proof, effects.quality)) {
                 throw Error(ExitCode::check_failed,
                             "--prove: pictures differ that should not, or rays were cast "
                             "that nothing called for. See the table above.");
             }
             return;
         }
-        const Scene scene = with_samples(open_scene(command), options);
-        const auto context = open_context(command);
-        if (!command.rays.empty()) {
-            trace_ray_file(command, parts, scene);
+        const Scene scene = with_samples(load_scene(picture), effects);
+        const auto context = open_context(picture);
+        if (!tracing.rays.empty()) {
+            trace_ray_file(picture, tracing, scene);
             return;
         }
-        render_effects(command, options, *context, scene, parts);
+        render_effects(picture, tracing, effects, *context, scene);
     });
 }

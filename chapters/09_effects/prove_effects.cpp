@@ -1,14 +1,13 @@
 #include "prove_effects.h"
 
+#include "basics/statistics.h"
 #include "image/plot.h"
 #include "measure/contest.h"
-#include "measure/statistics.h"
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/tracing_options.h"
 #include "render/effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
+#include "structure/padding.h"
+#include "trace/trace_picture.h"
 
 #include <cmath>
 #include <cstdio>
@@ -42,12 +41,14 @@ std::size_t count_different(const Image& a, const Image& b) {
 // The ways to render one scene; they share its structure.
 class Renderings {
 public:
-    Renderings(const Command& command, const Quality& quality, const Parts& parts,
+    Renderings(const PictureSize& size, const TraceOptions& tracing, const Quality& quality,
                const std::string& name)
-        : command_(command), quality_(quality), parts_(parts),
-          scene_(load_scene(name, static_cast<float>(command.width) /
-                                      static_cast<float>(command.height))),
-          structure_(build_structure(command, scene_)), limits_(measure_limits()) {
+        : size_(size), quality_(quality), parts_(trace_parts(tracing.triangle, tracing.structure)),
+          scene_(load_scene(name, aspect_ratio(size))),
+          structure_(build_structure(tracing.structure, scene_.corners,
+                                     {.reach = reach_of(scene_.camera.eye, scene_.corners),
+                                      .values = tracing.build_values})),
+          limits_(measure_limits()) {
         called_ = plan("").effects;
     }
 
@@ -58,7 +59,7 @@ public:
                                                           plan(choice), parts_, limits_);
         renderers_.push_back(renderer);
         add(name, [this, renderer] {
-            return renderer->render(scene_.camera, command_.width, command_.height);
+            return renderer->render(scene_.camera, size_.width, size_.height);
         });
     }
 
@@ -66,8 +67,7 @@ public:
         auto renderer =
             std::make_shared<WhittedRenderer>(scene_, upload(scene_, structure_), parts_, limits_);
         add("chapter 03", [this, renderer] {
-            return renderer->render(scene_.camera, command_.width, command_.height,
-                                    quality_.max_bounces);
+            return renderer->render(scene_.camera, size_.width, size_.height, quality_.max_bounces);
         });
     }
 
@@ -83,11 +83,10 @@ private:
     }
 
     Plan plan(const std::string& choice) const {
-        return make_plan(scene_, static_cast<double>(command_.width) / command_.height, choice,
-                         quality_);
+        return make_plan(scene_, static_cast<double>(size_.width) / size_.height, choice, quality_);
     }
 
-    const Command& command_;
+    PictureSize size_;
     Quality quality_;
     Parts parts_;
     Scene scene_;
@@ -99,9 +98,9 @@ private:
     std::vector<Contender> contenders_;
 };
 
-SceneProof prove(const Command& command, const Proof& proof, const Quality& quality,
-                 const Parts& parts, const std::string& scene) {
-    Renderings renderings(command, quality, parts, scene);
+SceneProof prove(const PictureSize& size, const TraceOptions& tracing, const Quality& quality,
+                 const std::string& scene, int rounds) {
+    Renderings renderings(size, tracing, quality, scene);
     renderings.add_effects("planned", "");
     renderings.add_effects("everything", "+all");
     std::vector<std::string> names;
@@ -114,7 +113,7 @@ SceneProof prove(const Command& command, const Proof& proof, const Quality& qual
         renderings.add_chapter_03();
     }
     std::vector<double> seconds; // of the processor, median
-    for (const ContestTimes& times : run_contest(renderings.contenders(), proof.rounds)) {
+    for (const ContestTimes& times : run_contest(renderings.contenders(), rounds)) {
         seconds.push_back(cpu_seconds(times).median);
     }
     SceneProof result{.scene = scene,
@@ -176,15 +175,15 @@ void print(const std::vector<SceneProof>& proofs) {
     }
 }
 
-nlohmann::ordered_json numbers_of(const std::vector<SceneProof>& proofs) {
-    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+Numbers numbers_of(const std::vector<SceneProof>& proofs) {
+    Numbers numbers = empty_list();
     for (const SceneProof& proof : proofs) {
-        nlohmann::ordered_json one{{"scene", proof.scene},
-                                   {"rays", all_rays(proof.planned)},
-                                   {"uncalled_rays", uncalled_rays(proof)},
-                                   {"different_pixels", proof.different_pixels},
-                                   {"planned_seconds", proof.planned_seconds},
-                                   {"everything_seconds", proof.everything_seconds}};
+        Numbers one{{"scene", proof.scene},
+                    {"rays", all_rays(proof.planned)},
+                    {"uncalled_rays", uncalled_rays(proof)},
+                    {"different_pixels", proof.different_pixels},
+                    {"planned_seconds", proof.planned_seconds},
+                    {"everything_seconds", proof.everything_seconds}};
         if (!std::isnan(proof.chapter_03_seconds)) {
             one["chapter_03_seconds"] = proof.chapter_03_seconds;
         }
@@ -196,7 +195,7 @@ nlohmann::ordered_json numbers_of(const std::vector<SceneProof>& proofs) {
     return numbers;
 }
 
-void draw_chart(const Command& command, const std::vector<SceneProof>& proofs) {
+void draw_chart(const std::filesystem::path& path, const std::vector<SceneProof>& proofs) {
     BarChart chart{.title = "Every effect, and the renderer of chapter 03, against the plan",
                    .y_label = "processor time; the plan takes 1",
                    .labels = {},
@@ -207,24 +206,23 @@ void draw_chart(const Command& command, const std::vector<SceneProof>& proofs) {
         chart.series[1].values.push_back(proof.everything_seconds / proof.planned_seconds);
         chart.series[2].values.push_back(proof.chapter_03_seconds / proof.planned_seconds);
     }
-    const std::filesystem::path path = command.out / "proof.png";
     write_bar_chart(path, chart);
-    std::printf("wrote     %s\n", path.string().c_str());
+    print_written(path);
 }
 
 } // namespace
 
-bool prove_effects(const Command& command, const Proof& proof, const Quality& quality,
-                   const Parts& parts) {
+bool prove_effects(const PictureOptions& picture, const TraceOptions& tracing, const Proof& proof,
+                   const Quality& quality) {
     std::vector<SceneProof> proofs;
     const auto progress = show_progress("proving");
     for (const std::string& scene : proof.scenes) {
-        proofs.push_back(prove(command, proof, quality, parts, scene));
+        proofs.push_back(prove(picture.size, tracing, quality, scene, proof.rounds));
         progress(static_cast<double>(proofs.size()) / static_cast<double>(proof.scenes.size()));
     }
     print(proofs);
-    draw_chart(command, proofs);
-    deliver_numbers(command, numbers_of(proofs));
+    draw_chart(picture.out / "proof.png", proofs);
+    write_numbers(picture.json, numbers_of(proofs));
     return std::all_of(proofs.begin(), proofs.end(), [](const SceneProof& one) {
         return one.different_pixels == 0 && uncalled_rays(one) == 0;
     });

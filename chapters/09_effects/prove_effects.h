@@ -1,8 +1,7 @@
 #pragma once
 
-#include "program/command.h"
 #include "render/effects/plan.h"
-#include "render/trace_rays.h"
+#include "trace/trace_options.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +19,7 @@ struct Proof {
 // they cost, what each effect costs, and draws a chart of it. A scene with nothing but diffuse
 // light and hard shadows also runs through the renderer of chapter 03. False where bits differ, or
 // a ray was cast for an effect that no scene called for.
-bool prove_effects(const Command& command, const Proof& proof, const Quality& quality,
-                   const Parts& parts);
+bool prove_effects(const PictureOptions& picture, const TraceOptions& tracing, const Proof& proof,
+                   const Quality& quality);
 
 } // namespace raysteps

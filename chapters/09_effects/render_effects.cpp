@@ -1,12 +1,10 @@
 #include "render_effects.h"
 
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/tracing_options.h"
 #include "render/effects/effects_renderer.h"
+#include "trace/trace_picture.h"
 
-#include <chrono>
 #include <iostream>
+#include <tuple>
 
 namespace raysteps {
 
@@ -15,11 +13,12 @@ namespace {
 // The renderer of the plan for a camera; a new one where another view calls for other effects.
 class RendererOfView {
 public:
-    RendererOfView(const Command& command, const EffectOptions& options, Scene scene,
-                   const Parts& parts)
-        : command_(command), options_(options), scene_(std::move(scene)), parts_(parts),
-          limits_(measure_limits()) {
-        make(scene_.camera, static_cast<double>(command.width) / command.height);
+    RendererOfView(const PictureOptions& picture, const TraceOptions& tracing,
+                   const EffectOptions& options, Scene scene)
+        : tracing_(tracing), options_(options), scene_(std::move(scene)),
+          reach_(camera_reach(picture, scene_)),
+          parts_(trace_parts(tracing.triangle, tracing.structure)), limits_(measure_limits()) {
+        make(scene_.camera, static_cast<double>(picture.size.width) / picture.size.height);
     }
 
     Image render(const Camera& camera, int width, int height) {
@@ -40,7 +39,8 @@ private:
         scene_.camera = camera;
         plan_ = make_plan(scene_, aspect_ratio, options_.effects, options_.quality);
         if (!structure_) {
-            structure_ = build_structure(command_, scene_);
+            structure_ = build_structure(tracing_.structure, scene_.corners,
+                                         {.reach = reach_, .values = tracing_.build_values});
         }
         renderer_.emplace(scene_, upload(scene_, *structure_), plan_, parts_, limits_);
         renderer_->report_progress(show_progress("rendering"));
@@ -49,9 +49,10 @@ private:
         }
     }
 
-    const Command& command_;
+    const TraceOptions& tracing_;
     const EffectOptions& options_;
     Scene scene_;
+    float reach_;
     Parts parts_;
     Limits limits_;
     Plan plan_;
@@ -59,13 +60,13 @@ private:
     std::optional<EffectsRenderer> renderer_;
 };
 
-nlohmann::ordered_json numbers_of(const Command& command, const RendererOfView& view,
-                                  double seconds) {
-    nlohmann::ordered_json numbers{{"scene", command.scene},
-                                   {"renderer", renderer_name()},
-                                   {"structure", command.structure},
-                                   {"triangle", command.triangle},
-                                   {"seconds", seconds}};
+Numbers numbers_of(const PictureOptions& picture, const TraceOptions& tracing,
+                   const RendererOfView& view, double seconds) {
+    Numbers numbers{{"scene", picture.scene},
+                    {"renderer", renderer_name()},
+                    {"structure", tracing.structure},
+                    {"triangle", tracing.triangle},
+                    {"seconds", seconds}};
     for (const EffectCall& call : view.plan().called) {
         numbers["called_for"][std::string(row_of(call.effect).name)] = call.reason;
     }
@@ -80,22 +81,17 @@ nlohmann::ordered_json numbers_of(const Command& command, const RendererOfView& 
 
 } // namespace
 
-void add_effect_options(CLI::App& app, EffectOptions& options) {
-    app.add_option(
-        "--effects", options.effects,
-        "force effects on or off, for example +refraction,-shadows; +all is every effect");
-    app.add_option("--max-bounces", options.quality.max_bounces,
-                   "mirrors and glass surfaces that a path is followed through, 0 to 1000")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1000));
-    app.add_option("--faintest", options.quality.faintest,
-                   "paths that contribute at most this part of their pixel are dropped, 0 to 1")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option("--samples", options.samples,
-                   "rays per pixel, 1 to 4096; 0 means what the scene says")
-        ->check(CLI::Range(0, 4096));
-    app.add_flag("--explain", options.explain,
+void add_effect_options(Options& options, EffectOptions& effects) {
+    options.text("--effects", effects.effects,
+                 "force effects on or off, for example +refraction,-shadows; +all is every effect");
+    options.number("--max-bounces", effects.quality.max_bounces,
+                   "mirrors and glass surfaces that a path is followed through", 0, 1000);
+    options.number("--faintest", effects.quality.faintest,
+                   "paths that contribute at most this part of their pixel are dropped", 0.0f,
+                   1.0f);
+    options.number("--samples", effects.samples,
+                   "rays per pixel, 1 to 4096; 0 means what the scene says", 0, 4096);
+    options.flag("--explain", effects.explain,
                  "print the effects with their reasons, the passes, rays by kind and memory");
 }
 
@@ -106,26 +102,25 @@ Scene with_samples(Scene scene, const EffectOptions& options) {
     return scene;
 }
 
-void render_effects(const Command& command, const EffectOptions& options, Context& context,
-                    const Scene& scene, const Parts& parts) {
-    RendererOfView view(command, options, scene, parts);
+void render_effects(const PictureOptions& picture, const TraceOptions& tracing,
+                    const EffectOptions& options, Context& context, const Scene& scene) {
+    RendererOfView view(picture, tracing, options, scene);
     if (options.explain) {
         std::cout << explain(view.plan()) << std::flush;
     }
     double seconds = 0.0;
-    deliver(command, context, scene.camera, picture_name(command),
-            [&](const Camera& camera, int width, int height) {
-                const auto start = std::chrono::steady_clock::now();
-                Image image = view.render(camera, width, height);
-                seconds =
-                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-                return image;
-            });
+    show_or_write(picture, context, scene.camera, picture_name(picture.scene),
+                  [&](const Camera& camera, int width, int height) {
+                      Image image;
+                      std::tie(image, seconds) =
+                          timed([&] { return view.render(camera, width, height); });
+                      return image;
+                  });
     if (options.explain) {
         std::cout << explain(view.renderer());
     }
     std::printf("rays      %ld in %.2f s\n", all_rays(view.renderer().tally()), seconds);
-    deliver_numbers(command, numbers_of(command, view, seconds));
+    write_numbers(picture.json, numbers_of(picture, tracing, view, seconds));
 }
 
 } // namespace raysteps

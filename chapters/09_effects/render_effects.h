@@ -1,8 +1,7 @@
 #pragma once
 
-#include "program/command.h"
 #include "render/effects/plan.h"
-#include "render/trace_rays.h"
+#include "trace/trace_options.h"
 
 #include <string>
 
@@ -16,13 +15,13 @@ struct EffectOptions {
     bool explain = false;
 };
 
-void add_effect_options(CLI::App& app, EffectOptions& options);
+void add_effect_options(Options& options, EffectOptions& effects);
 
 // The scene with the samples of the options, where they say any.
 Scene with_samples(Scene scene, const EffectOptions& options);
 
 // Renders the scene with its plan, shows or writes it, and tells what it took.
-void render_effects(const Command& command, const EffectOptions& options, Context& context,
-                    const Scene& scene, const Parts& parts);
+void render_effects(const PictureOptions& picture, const TraceOptions& tracing,
+                    const EffectOptions& options, Context& context, const Scene& scene);
 
 } // namespace raysteps

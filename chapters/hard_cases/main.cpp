@@ -2,9 +2,8 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "fuzz.h"
-#include "program/command.h"
-#include "program/deliver.h"
-#include "program/progress.h"
+#include "program/options.h"
+#include "program/output.h"
 #include "trials.h"
 
 #include <unistd.h>
@@ -18,12 +17,14 @@ namespace {
 // What the program is to do.
 struct TrialRequest {
     std::string name; // of one case; empty for all
-    bool list = false;
     int rays = 0; // 0: the usual number
     bool is_long = false;
     double fuzz_seconds = 0.0;
     int seed = 1;
     std::string by = "both";
+    ContextKind context = ContextKind::automatic;
+    std::filesystem::path out = "out/hard_cases"; // for what the fuzzer finds
+    std::filesystem::path json;
     std::filesystem::path csv;
 };
 
@@ -42,12 +43,6 @@ std::vector<Trial> chosen_trials(const TrialRequest& request) {
     return request.is_long ? leak_trials() : all_trials();
 }
 
-void check(const TrialRequest& request) {
-    if (request.by != "cpp" && request.by != "gpu" && request.by != "both") {
-        throw InputError("--by " + request.by + ": take cpp, gpu or both.");
-    }
-}
-
 std::vector<TrialResult> try_all(const std::vector<Trial>& trials, TrialTools tools) {
     const Colors colors = isatty(STDOUT_FILENO) != 0 ? Colors::terminal : Colors::none;
     std::vector<TrialResult> results;
@@ -60,7 +55,7 @@ std::vector<TrialResult> try_all(const std::vector<Trial>& trials, TrialTools to
 }
 
 // Only the numbers that an OBJ file can hold come back from it; the seed makes the scene again.
-void run_fuzz(const Command& command, const TrialRequest& request, GpuMethods* gpu) {
+void run_fuzz(const TrialRequest& request, GpuMethods* gpu) {
     const FuzzResult result = fuzz({.first_seed = request.seed,
                                     .seconds = request.fuzz_seconds,
                                     .gpu = gpu,
@@ -69,8 +64,9 @@ void run_fuzz(const Command& command, const TrialRequest& request, GpuMethods* g
     if (!result.fault) {
         return;
     }
-    const std::vector<std::filesystem::path> paths = write_fault(*result.fault, command.out);
-    std::cout << "wrote     " << paths[0].string() << "\nwrote     " << paths[1].string() << "\n";
+    const std::vector<std::filesystem::path> paths = write_fault(*result.fault, request.out);
+    print_written(paths[0]);
+    print_written(paths[1]);
     throw Error(ExitCode::check_failed,
                 "seed " + std::to_string(result.fault->seed) + ": " + result.fault->method + " " +
                     result.fault->what + ". Run it again with --seed " +
@@ -79,10 +75,10 @@ void run_fuzz(const Command& command, const TrialRequest& request, GpuMethods* g
                     " --hits hits.csv --structure NAME.");
 }
 
-nlohmann::ordered_json to_json(std::span<const TrialResult> results) {
-    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+Numbers numbers_of(std::span<const TrialResult> results) {
+    Numbers cases = empty_list();
     for (const TrialResult& result : results) {
-        nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+        Numbers rows = empty_list();
         for (const TrialRow& row : result.rows) {
             rows.push_back({{"method", row.method},
                             {"where", row.where},
@@ -102,22 +98,17 @@ nlohmann::ordered_json to_json(std::span<const TrialResult> results) {
 }
 
 // Throws Error with exit code 1 where a promise is broken.
-void run_trials(const Command& command, const TrialRequest& request) {
-    check(request);
-    if (request.list) {
-        list_trials();
-        return;
-    }
+void run_trials(const TrialRequest& request) {
     const std::vector<Trial> trials = chosen_trials(request);
     std::unique_ptr<Context> context;
     std::unique_ptr<GpuMethods> gpu;
     if (request.by != "cpp") {
-        context = open_context(command);
+        context = open_context(request.context);
         gpu = std::make_unique<GpuMethods>(measure_limits());
     }
     std::cout << "seed      " << request.seed << "\n";
     if (request.fuzz_seconds > 0.0) {
-        run_fuzz(command, request, gpu.get());
+        run_fuzz(request, gpu.get());
         return;
     }
     const int rays = request.is_long && request.rays == 0 ? rays_of_the_long_form : request.rays;
@@ -127,7 +118,7 @@ void run_trials(const Command& command, const TrialRequest& request) {
     if (!request.csv.empty()) {
         write_file(request.csv, to_csv(results));
     }
-    deliver_numbers(command, to_json(results));
+    write_numbers(request.json, numbers_of(results));
     const std::size_t broken = count_rows(results, Verdict::fail);
     std::cout << "\n"
               << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "
@@ -143,29 +134,26 @@ void run_trials(const Command& command, const TrialRequest& request) {
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Hard cases: where usual methods go wrong, and what this project promises.");
-    Command command{.chapter = "hard_cases"};
-    command.out = std::filesystem::path("out") / command.chapter;
+    Options options("hard_cases",
+                    "Hard cases: where usual methods go wrong, and what this project promises.");
     TrialRequest request;
-    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("--case", request.name, "only this case, for example T1; see --list");
-    app.add_flag("--list", request.list, "print the names and titles of all cases");
-    app.add_option("--rays", request.rays, "rays per case, up to what makes sense for it")
-        ->check(CLI::Range(1, 1 << 30));
-    app.add_flag("--long", request.is_long,
-                 "ten million rays (or --rays) at shared edges and as many at shared corners of "
-                 "a closed mesh, through every structure");
-    app.add_option("--fuzz", request.fuzz_seconds,
+    options.text("--case", request.name, "only this case, for example T1; see --list");
+    options.question("--list", "print the names and titles of all cases", list_trials);
+    options.number("--rays", request.rays,
+                   "rays per case, up to what makes sense for it; the usual number without it", 1,
+                   1 << 30);
+    options.flag("--long", request.is_long,
+                 "ten million rays (or --rays) at shared edges and as many at shared corners of a "
+                 "closed mesh, through every structure");
+    options.number("--fuzz", request.fuzz_seconds,
                    "seconds of fuzzing: random meshes and rays with garbage bits, every structure "
-                   "against the loop");
-    app.add_option("--seed", request.seed, "seed of all random numbers")->capture_default_str();
-    app.add_option("--by", request.by, "which implementations to try: cpp, gpu or both")
-        ->capture_default_str();
-    app.add_option("--context", command.context, "where OpenGL runs: auto, osmesa, egl or window")
-        ->capture_default_str();
-    app.add_option("--out", command.out, "the folder for what the fuzzer finds")
-        ->capture_default_str();
-    app.add_option("--json", command.json, "a file for the rows of the table");
-    app.add_option("--csv", request.csv, "a file for the rows of the table");
-    return run_command(app, command, argc, argv, [&] { run_trials(command, request); });
+                   "against the loop",
+                   0.0, 1e9);
+    options.number("--seed", request.seed, "seed of all random numbers");
+    options.choice("--by", request.by, "which implementations to try", {"cpp", "gpu", "both"});
+    add_context_option(options, request.context);
+    options.output_folder("--out", request.out, "the folder for what the fuzzer finds");
+    options.output_file("--json", request.json, "a file for the rows of the table");
+    options.output_file("--csv", request.csv, "a file for the rows of the table");
+    return options.run(argc, argv, [&] { run_trials(request); });
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 #include <functional>
 #include <span>

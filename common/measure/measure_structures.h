@@ -2,7 +2,7 @@
 
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 #include "reference/embree/embree.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"

@@ -48,7 +48,7 @@ SceneTextures upload(const Scene& scene, const BuiltStructure& structure) {
 }
 
 SceneTextures upload(const Scene& scene) {
-    return upload(scene, family_of("every_triangle").build(scene.corners, {}));
+    return upload(scene, every_triangle(triangle_count(scene)));
 }
 
 } // namespace raysteps

@@ -50,6 +50,14 @@ struct BuiltStructure {
     int longest_walk = 0;    // in rounds, where it is known beforehand; else 0
 };
 
+// No structure: nothing is built, and each ray tests every triangle.
+inline BuiltStructure every_triangle(int triangle_count) {
+    BuiltStructure loop;
+    loop.packed.numbers["triangle_count"] = triangle_count;
+    loop.longest_walk = triangle_count;
+    return loop;
+}
+
 // A structure that one builder makes for several walks. The family `kd` serves the parts
 // structure/kd_*.glsl (and structure/kd.glsl). Throws InputError where a value of the request makes
 // no sense, or where the memory would be too much.

@@ -10,12 +10,10 @@
 
 namespace raysteps {
 
-// How many pixels of the image are not those of chapters/CHAPTER/expected.png: a component of the
-// file's 8 bits may be one step off, where another driver rounds the other way.
-inline std::size_t unexpected_pixels(const Image& image, const std::string& chapter) {
-    const auto path =
-        std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "chapters" / chapter / "expected.png";
-    const Image expected = read_picture(path);
+// How many pixels of the image are not those of the file: a component of its 8 bits may be one step
+// off, where another driver rounds the other way.
+inline std::size_t pixels_unlike(const Image& image, const std::filesystem::path& file) {
+    const Image expected = read_picture(std::filesystem::path(RAYSTEPS_SOURCE_DIR) / file);
     if (expected.width != image.width || expected.height != image.height) {
         return image.pixels.size();
     }
@@ -29,6 +27,11 @@ inline std::size_t unexpected_pixels(const Image& image, const std::string& chap
         unexpected += farthest > 1 ? 1 : 0;
     }
     return unexpected;
+}
+
+// The same against chapters/CHAPTER/expected.png.
+inline std::size_t unexpected_pixels(const Image& image, const std::string& chapter) {
+    return pixels_unlike(image, std::filesystem::path("chapters") / chapter / "expected.png");
 }
 
 } // namespace raysteps

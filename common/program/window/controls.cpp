@@ -1,6 +1,62 @@
 #include "program/window/controls.h"
 
+#include "program/window/trackball.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
 namespace raysteps {
+
+namespace {
+
+// VTK: Dolly(1.1 ^ (MotionFactor * dy / half the height)), and 1.1 ^ (MotionFactor * 0.2) a notch.
+constexpr double zoom = 1.1;
+constexpr double zoom_powers_a_window = 20.0;
+constexpr double zoom_powers_a_notch = 2.0;
+
+double angle_about_middle(const glm::dvec2& place, const glm::dvec2& window_size) {
+    return std::atan2(0.5 * window_size.y - place.y, place.x - 0.5 * window_size.x);
+}
+
+} // namespace
+
+Motion motion_of(Button button, const Modifiers& modifiers) {
+    if (button == Button::middle) {
+        return Motion::pan;
+    }
+    if (button == Button::right || (modifiers.shift && modifiers.control)) {
+        return Motion::dolly;
+    }
+    if (modifiers.shift) {
+        return Motion::pan;
+    }
+    return modifiers.control ? Motion::roll : Motion::orbit;
+}
+
+Camera drag(const Camera& camera, Motion motion, const glm::dvec2& from, const glm::dvec2& to,
+            const glm::dvec2& window_size) {
+    // A minimised window has no area to divide by.
+    const glm::dvec2 size = glm::max(window_size, glm::dvec2(1.0));
+    const MouseMove move{(to.x - from.x) / size.x, (from.y - to.y) / size.y};
+    switch (motion) {
+    case Motion::orbit:
+        return orbit(camera, move);
+    case Motion::roll:
+        return roll(camera, angle_about_middle(to, size) - angle_about_middle(from, size));
+    case Motion::pan:
+        return pan(camera, move, size.x / size.y);
+    case Motion::dolly:
+        return dolly(camera, std::pow(zoom, zoom_powers_a_window * move.y));
+    case Motion::none:
+        break;
+    }
+    return camera;
+}
+
+Camera turn_wheel(const Camera& camera, double notches) {
+    return dolly(camera, std::pow(zoom, zoom_powers_a_notch * notches));
+}
 
 Controls start_controls(const Camera& start) {
     Controls controls;

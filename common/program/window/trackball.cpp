@@ -22,14 +22,14 @@ constexpr double nearest_distance = 1e-15;
 // The largest coordinate of a scene is of this size.
 constexpr double farthest_distance = 1e18;
 
-struct Frame {
+struct ViewFrame {
     glm::dvec3 right;
     glm::dvec3 up;
     glm::dvec3 back; // from the target to the eye
     double distance;
 };
 
-Frame frame_of(const Camera& camera) {
+ViewFrame frame_of(const Camera& camera) {
     const glm::dvec3 to_eye = glm::dvec3(camera.eye) - glm::dvec3(camera.target);
     const double distance = glm::length(to_eye);
     const glm::dvec3 back = to_eye / distance;
@@ -37,7 +37,7 @@ Frame frame_of(const Camera& camera) {
     return {right, glm::cross(back, right), back, distance};
 }
 
-Camera placed(Camera camera, const Frame& frame) {
+Camera placed(Camera camera, const ViewFrame& frame) {
     camera.eye = glm::vec3(glm::dvec3(camera.target) + frame.distance * frame.back);
     camera.up = glm::vec3(frame.up);
     return camera;
@@ -46,7 +46,7 @@ Camera placed(Camera camera, const Frame& frame) {
 } // namespace
 
 Camera orbit(const Camera& camera, const MouseMove& move) {
-    Frame frame = frame_of(camera);
+    ViewFrame frame = frame_of(camera);
     const double length = glm::length(move);
     if (length == 0.0) {
         return camera;
@@ -60,7 +60,7 @@ Camera orbit(const Camera& camera, const MouseMove& move) {
 }
 
 Camera pan(const Camera& camera, const MouseMove& move, double aspect_ratio) {
-    const Frame frame = frame_of(camera);
+    const ViewFrame frame = frame_of(camera);
     const double half_angle = glm::radians(0.5 * camera.vertical_field_of_view);
     const double height = 2.0 * frame.distance * std::tan(half_angle);
     const glm::dvec3 shift = -height * (aspect_ratio * move.x * frame.right + move.y * frame.up);
@@ -70,7 +70,7 @@ Camera pan(const Camera& camera, const MouseMove& move, double aspect_ratio) {
 }
 
 Camera dolly(const Camera& camera, double factor) {
-    Frame frame = frame_of(camera);
+    ViewFrame frame = frame_of(camera);
     const double target_distance = glm::length(glm::dvec3(camera.target));
     const double nearest = std::max(nearest_distance, nearest_part * target_distance);
     const double wanted = frame.distance / factor;
@@ -84,7 +84,7 @@ Camera dolly(const Camera& camera, double factor) {
 }
 
 Camera roll(const Camera& camera, double angle) {
-    Frame frame = frame_of(camera);
+    ViewFrame frame = frame_of(camera);
     // The picture turns counter-clockwise where the camera turns clockwise.
     frame.up = glm::angleAxis(-angle, frame.back) * frame.up;
     return placed(camera, frame);

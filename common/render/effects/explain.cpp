@@ -70,7 +70,8 @@ std::string explain(const EffectsRenderer& renderer) {
                      std::to_string(tally.lamps_skipped) + " lamps that no surface faces, " +
                      std::to_string(tally.faint) + " rays that would count too little");
     text += line("waves", std::to_string(tally.waves) + "; the last path ended after " +
-                              std::to_string(tally.deepest) + " bounces");
+                              std::to_string(tally.deepest) +
+                              (tally.deepest == 1 ? " bounce" : " bounces"));
     text += line("memory", "arrays of effects " + megabytes(renderer.effect_bytes()) +
                                "; the longest list behind glass had " +
                                std::to_string(tally.most_listed) + " rays");

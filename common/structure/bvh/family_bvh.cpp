@@ -1,9 +1,9 @@
 #include "structure/bvh/family_bvh.h"
 
+#include "basics/timed.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/options.h"
 
-#include <chrono>
 #include <string>
 
 namespace raysteps {
@@ -40,32 +40,12 @@ const std::vector<OptionRow<BvhOptions>>& rows() {
     return all;
 }
 
-std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t packed_bytes,
-                           std::size_t triangles, double seconds) {
-    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
-    const auto leaves = static_cast<double>(measures.leaves);
-    return {{"build_seconds", seconds},
-            {"memory_bytes", static_cast<double>(packed_bytes)},
-            {"tree_bytes", static_cast<double>(measures.bytes)}, // without the walks' copies
-            {"nodes", static_cast<double>(measures.nodes)},
-            {"leaves", leaves},
-            {"depth", static_cast<double>(measures.depth)},
-            {"references", references},
-            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
-            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
-            {"longest_leaf", static_cast<double>(measures.longest_leaf)},
-            {"expected_cost", measures.cost}};
-}
-
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const BvhOptions chosen = bvh_options_of(request);
-    const auto start = std::chrono::steady_clock::now();
-    const Bvh bvh = build_bvh(corners, chosen);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const auto [bvh, seconds] = timed([&] { return build_bvh(corners, chosen); });
     BuiltStructure built;
     built.packed = pack(bvh, corners);
-    built.facts = facts_of(measure_bvh(bvh, chosen), bytes_of(built.packed), corners.size() / 3,
-                           seconds.count());
+    built.facts = facts_of(bvh, chosen, built.packed, seconds);
     return built;
 }
 
@@ -75,6 +55,25 @@ BvhOptions bvh_options_of(const BuildRequest& request) {
     BvhOptions options = read_options(rows(), request);
     options.reach = static_cast<double>(request.reach);
     return options;
+}
+
+std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options, const PackedStructure& packed,
+                           double seconds) {
+    const BvhMeasures measures = measure_bvh(bvh, options);
+    const std::size_t triangles = bvh.order.size();
+    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
+    const auto leaves = static_cast<double>(measures.leaves);
+    return {{"build_seconds", seconds},
+            {"memory_bytes", static_cast<double>(bytes_of(packed))},
+            {"tree_bytes", static_cast<double>(measures.bytes)}, // without the walks' copies
+            {"nodes", static_cast<double>(measures.nodes)},
+            {"leaves", leaves},
+            {"depth", static_cast<double>(measures.depth)},
+            {"references", references},
+            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
+            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
+            {"longest_leaf", static_cast<double>(measures.longest_leaf)},
+            {"expected_cost", measures.cost}};
 }
 
 // Serves every walk bvh_NAME.glsl of shaders/structure.

@@ -20,6 +20,12 @@ Grid mark_neighbours(Grid grid, unsigned threads);
 // memory_limit, before they are taken.
 Grid build_grid(std::span<const glm::vec3> corners, const GridOptions& options);
 
+// The builder's options as a request has them. Throws InputError where a value makes no sense.
+GridOptions grid_options_of(const BuildRequest& request);
+
+// What is to be known of a grid over so many triangles, and of the seconds that building took.
+std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double seconds);
+
 // What cells and references take, in bytes.
 std::int64_t memory_of(const Grid& grid);
 

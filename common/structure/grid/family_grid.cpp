@@ -1,8 +1,8 @@
+#include "basics/timed.h"
 #include "structure/grid/build_grid.h"
 #include "structure/options.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 
 namespace raysteps {
@@ -38,6 +38,24 @@ Filling filling_of(const Grid& grid) {
     return filling;
 }
 
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const GridOptions options = grid_options_of(request);
+    auto [grid, seconds] = timed([&] { return build_grid(corners, options); });
+    BuiltStructure built;
+    built.facts = facts_of(grid, corners.size() / 3, seconds);
+    built.packed = pack(std::move(grid));
+    return built;
+}
+
+} // namespace
+
+GridOptions grid_options_of(const BuildRequest& request) {
+    GridOptions options = read_options(rows(), request);
+    options.say = request.say;
+    options.reach = static_cast<double>(request.reach);
+    return options;
+}
+
 std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double seconds) {
     const Filling filling = filling_of(grid);
     const auto references = static_cast<double>(grid.references.size());
@@ -56,21 +74,6 @@ std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double secon
             {"longest_leaf", static_cast<double>(filling.longest)},
             {"references_with_neighbours", static_cast<double>(filling.repeats)}};
 }
-
-BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    GridOptions grid_options = read_options(rows(), request);
-    grid_options.say = request.say;
-    grid_options.reach = static_cast<double>(request.reach);
-    const auto start = std::chrono::steady_clock::now();
-    Grid grid = build_grid(corners, grid_options);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    BuiltStructure built;
-    built.facts = facts_of(grid, corners.size() / 3, seconds.count());
-    built.packed = pack(std::move(grid));
-    return built;
-}
-
-} // namespace
 
 // Serves structure/grid/grid.glsl and structure/grid/grid_mailbox.glsl.
 StructureFamily family_grid() {

@@ -81,4 +81,11 @@ KdTree with_ropes(KdTree tree);
 // splits are those of Pharr, Jakob and Humphreys, "Physically Based Rendering", 3rd ed., 2016.
 KdTree build_kd_tree(std::span<const glm::vec3> corners, const KdOptions& options);
 
+// The builder's options as a request has them. Throws InputError where a value makes no sense.
+KdOptions kd_options_of(const BuildRequest& request);
+
+// What is to be known of a tree over so many triangles, and of the seconds that building took.
+std::vector<Fact> facts_of(const KdTree& tree, const KdOptions& options, std::size_t triangles,
+                           double seconds);
+
 } // namespace raysteps

@@ -1,8 +1,8 @@
+#include "basics/timed.h"
 #include "structure/kd_tree/build_kd_tree.h"
-#include "structure/options.h"
 #include "structure/kd_tree/kd_tree.h"
+#include "structure/options.h"
 
-#include <chrono>
 #include <string>
 
 namespace raysteps {
@@ -31,7 +31,26 @@ const std::vector<OptionRow<KdOptions>>& rows() {
     return all;
 }
 
-std::vector<Fact> facts_of(const KdMeasures& measures, std::size_t triangles, double seconds) {
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const KdOptions options = kd_options_of(request);
+    const auto [tree, seconds] = timed([&] { return build_kd_tree(corners, options); });
+    BuiltStructure built;
+    built.facts = facts_of(tree, options, corners.size() / 3, seconds);
+    built.packed = pack(tree);
+    return built;
+}
+
+} // namespace
+
+KdOptions kd_options_of(const BuildRequest& request) {
+    KdOptions options = read_options(rows(), request);
+    options.reach = request.reach;
+    return options;
+}
+
+std::vector<Fact> facts_of(const KdTree& tree, const KdOptions& options, std::size_t triangles,
+                           double seconds) {
+    const KdMeasures measures = measure_kd_tree(tree, options);
     const auto references = static_cast<double>(measures.references);
     const auto filled = static_cast<double>(measures.leaves - measures.empty_leaves);
     return {{"build_seconds", seconds},
@@ -47,20 +66,6 @@ std::vector<Fact> facts_of(const KdMeasures& measures, std::size_t triangles, do
             {"longest_leaf", static_cast<double>(measures.longest_leaf)},
             {"expected_cost", measures.cost}};
 }
-
-BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    KdOptions chosen = read_options(rows(), request);
-    chosen.reach = request.reach;
-    const auto start = std::chrono::steady_clock::now();
-    const KdTree tree = build_kd_tree(corners, chosen);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    BuiltStructure built;
-    built.facts = facts_of(measure_kd_tree(tree, chosen), corners.size() / 3, seconds.count());
-    built.packed = pack(tree);
-    return built;
-}
-
-} // namespace
 
 // Serves every walk kd_NAME.glsl of shaders/structure.
 StructureFamily family_kd() {

@@ -2,7 +2,7 @@
 
 #include "basics/error.h"
 #include "measure/cosine_direction.h"
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 #include <glm/geometric.hpp>
 

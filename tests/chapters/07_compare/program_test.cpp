@@ -30,6 +30,7 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
     const ScratchFolder folder("07_rows");
     REQUIRE(run_in(folder, "--scenes compact:4,cornell_box --growth 1 --rounds 1 --size 16"));
     const auto numbers = nlohmann::json::parse(bytes_of(folder / "out/07_compare/compare.json"));
+    CHECK_FALSE(std::filesystem::exists(folder / "out/07"));
     REQUIRE(numbers["scenes"].size() == 4); // two, and sphereflake:0 and :1
     const std::size_t contenders = numbers["scenes"][0]["structures"].size();
     CHECK(contenders == (numbers["embree"] == "" ? 10 : 12));

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 using namespace raysteps;
 

@@ -1,4 +1,4 @@
-#include "program/window/coarseness.h"
+#include "program/window/screen.h"
 
 #include "catch.h"
 

@@ -1,4 +1,4 @@
-#include "program/window/mouse.h"
+#include "program/window/controls.h"
 
 #include "cameras.h"
 #include "catch.h"

@@ -5,7 +5,7 @@
 #include "gpu/draw.h"
 #include "image/color.h"
 #include "image/image.h"
-#include "program/window/help_picture.h"
+#include "program/window/screen.h"
 
 #include <glm/geometric.hpp>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "program/window/screenshot_path.h"
+#include "program/window/screen.h"
 
 #include "catch.h"
 

@@ -1,6 +1,6 @@
-#include "program/parse_options.h"
-#include "scene/camera_text.h"
 #include "basics/text.h"
+#include "program/options.h"
+#include "scene/camera_text.h"
 
 #include "catch.h"
 #include "support/error_of.h"
@@ -97,6 +97,6 @@ TEST_CASE("a context is one of four names", "[command]") {
     for (const std::string text : {"", "EGL", "eg", "glx"}) {
         CHECK(error_of([&] { parse_context(text); }) ==
               "--context " + text +
-                  ": there is no such context. Take one of auto, osmesa, egl, window.");
+                  ": there is no such choice. Take one of auto, osmesa, egl, window.");
     }
 }

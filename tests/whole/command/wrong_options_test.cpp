@@ -58,6 +58,25 @@ TEST_CASE("a number of bounces out of range is refused", "[command][refusal]") {
     }
 }
 
+TEST_CASE("a number that is none or out of range is refused with the range", "[command][refusal]") {
+    const Workplace workplace("ranges");
+    for (const std::string samples : {"-1", "4097", "", "1.5", "0x2"}) {
+        check_refusal(workplace, "09_effects", {"--samples", samples}, 2,
+                      {"--samples " + samples + ": ", "Give a number from 0 to 4096."});
+    }
+    for (const std::string part : {"nan", "1.1", "-0.1", "all"}) {
+        check_refusal(workplace, "09_effects", {"--faintest", part}, 2,
+                      {"--faintest " + part + ": ", "Give a number from 0 to 1."});
+    }
+}
+
+TEST_CASE("a file that is read is not written", "[command][refusal]") {
+    const Workplace workplace("lost_files");
+    workplace.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    check_refusals(workplace, {"--scene", "two.obj", "--json", "two.obj"}, 2,
+                   {"--json two.obj: this is the file of --scene, which would be lost."});
+}
+
 TEST_CASE("an unknown generation of rays is refused with those that exist", "[command][refusal]") {
     const Workplace workplace("generation");
     check_refusal(workplace, "01_rays", {"--generation", "guessed"}, 2,

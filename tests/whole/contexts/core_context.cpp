@@ -1,5 +1,5 @@
 // Ends with 0 if the context of the given kind is an OpenGL 4.1 core context or a later one.
-#include "program/parse_options.h"
+#include "program/options.h"
 #include "basics/error.h"
 #include "gpu/context.h"
 #include "gpu/gl.h"

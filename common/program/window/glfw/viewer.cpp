@@ -1,18 +1,20 @@
-#include "program/window/glfw/viewer.h"
-
 #include "basics/error.h"
 #include "image/image_file.h"
+#include "program/show.h"
+#include "program/window/controls.h"
+#include "program/window/screen.h"
 #include "scene/camera_text.h"
-#include "program/window/help_picture.h"
-#include "program/window/screenshot_path.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -21,6 +23,158 @@ namespace raysteps {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+Controls& controls_of(GLFWwindow* window) {
+    return *static_cast<Controls*>(glfwGetWindowUserPointer(window));
+}
+
+std::optional<Button> button_of(int button) {
+    switch (button) {
+    case GLFW_MOUSE_BUTTON_LEFT:
+        return Button::left;
+    case GLFW_MOUSE_BUTTON_MIDDLE:
+        return Button::middle;
+    case GLFW_MOUSE_BUTTON_RIGHT:
+        return Button::right;
+    default:
+        return std::nullopt;
+    }
+}
+
+void on_button(GLFWwindow* window, int number, int action, int modifiers) {
+    const std::optional<Button> button = button_of(number);
+    if (!button) {
+        return;
+    }
+    Controls& controls = controls_of(window);
+    if (action == GLFW_PRESS) {
+        controls = press_button(controls, *button,
+                                {.shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                                 .control = (modifiers & GLFW_MOD_CONTROL) != 0});
+    } else {
+        controls = release_button(controls, *button);
+    }
+}
+
+void on_cursor(GLFWwindow* window, double x, double y) {
+    Controls& controls = controls_of(window);
+    controls = move_cursor(controls, {x, y});
+}
+
+void on_scroll(GLFWwindow* window, double, double notches) {
+    Controls& controls = controls_of(window);
+    controls = scroll(controls, notches);
+}
+
+void on_key(GLFWwindow* window, int key, int scan_code, int action, int) {
+    // A key that is held down repeats itself, which no key here is meant to do.
+    if (action != GLFW_PRESS) {
+        return;
+    }
+    Controls& controls = controls_of(window);
+    if (key == GLFW_KEY_ESCAPE) {
+        controls = press_key(controls, 'q');
+        return;
+    }
+    // GLFW numbers keys by their place on an American keyboard; the name is what is printed on it.
+    if (const char* name = glfwGetKeyName(key, scan_code)) {
+        controls = press_key(controls, name[0]);
+    }
+}
+
+void on_close(GLFWwindow* window) {
+    controls_of(window).close = true;
+}
+
+void on_refresh(GLFWwindow* window) {
+    controls_of(window).must_redraw = true;
+}
+
+void on_window_size(GLFWwindow* window, int width, int height) {
+    controls_of(window).window_size = {width, height};
+}
+
+void on_framebuffer_size(GLFWwindow* window, int, int) {
+    controls_of(window).must_redraw = true;
+}
+
+// From its making to its end, the window's events change the controls.
+class EventConnection {
+public:
+    EventConnection(GLFWwindow* window, Controls& controls);
+    ~EventConnection();
+    EventConnection(const EventConnection&) = delete;
+    EventConnection& operator=(const EventConnection&) = delete;
+
+private:
+    GLFWwindow* window_;
+};
+
+EventConnection::EventConnection(GLFWwindow* window, Controls& controls) : window_(window) {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    controls.window_size = {width, height};
+    glfwGetCursorPos(window, &controls.cursor.x, &controls.cursor.y);
+    glfwSetWindowUserPointer(window, &controls);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetScrollCallback(window, on_scroll);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetWindowCloseCallback(window, on_close);
+    glfwSetWindowRefreshCallback(window, on_refresh);
+    glfwSetWindowSizeCallback(window, on_window_size);
+    glfwSetFramebufferSizeCallback(window, on_framebuffer_size);
+}
+
+EventConnection::~EventConnection() {
+    glfwSetMouseButtonCallback(window_, nullptr);
+    glfwSetCursorPosCallback(window_, nullptr);
+    glfwSetScrollCallback(window_, nullptr);
+    glfwSetKeyCallback(window_, nullptr);
+    glfwSetWindowCloseCallback(window_, nullptr);
+    glfwSetWindowRefreshCallback(window_, nullptr);
+    glfwSetWindowSizeCallback(window_, nullptr);
+    glfwSetFramebufferSizeCallback(window_, nullptr);
+    glfwSetWindowUserPointer(window_, nullptr);
+}
+
+// The picture in a window, and the loop that keeps it up with the events.
+class Viewer {
+public:
+    Viewer(GLFWwindow* window, const Camera& start, const std::filesystem::path& screenshot,
+           const RenderPicture& render);
+
+    // Until the window is closed.
+    void run();
+
+private:
+    void wait_for_events() const;
+    void look_what_is_wanted();
+    void refine_picture();
+    void save_picture();
+    void print_camera();
+    void redraw();
+
+    int shown_coarseness() const;
+    double seconds_to_wait() const;
+    void take(Frame frame);
+    void write_title();
+
+    GLFWwindow* window_;
+    std::filesystem::path screenshot_;
+    const RenderPicture& render_;
+    Controls controls_;
+    EventConnection connection_;
+    Screen screen_;
+    Image help_;
+    Texture help_texture_;
+    Sight wanted_;
+    Clock::time_point last_change_; // of what is wanted
+    Frame frame_;
+    std::optional<Texture> frame_texture_;
+    int affordable_ = first_coarseness;
+};
 
 constexpr float help_opacity = 0.85f;
 
@@ -35,8 +189,6 @@ double text_scale(GLFWwindow* window) {
     glfwGetWindowContentScale(window, &horizontal, &vertical);
     return std::max(1.0, static_cast<double>(std::round(horizontal)));
 }
-
-} // namespace
 
 Viewer::Viewer(GLFWwindow* window, const Camera& start, const std::filesystem::path& screenshot,
                const RenderPicture& render)
@@ -154,6 +306,13 @@ void Viewer::write_title() {
     }
     title << " (H shows the keys)";
     glfwSetWindowTitle(window_, title.str().c_str());
+}
+
+} // namespace
+
+void show_in_window(WindowContext& context, const Camera& start,
+                    const std::filesystem::path& screenshot, const RenderPicture& render) {
+    Viewer(context.window(), start, screenshot, render).run();
 }
 
 } // namespace raysteps

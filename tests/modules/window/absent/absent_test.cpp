@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "basics/error.h"
-#include "program/window/show_in_window.h"
+#include "program/show.h"
 
 using namespace raysteps;
 

@@ -1,7 +1,7 @@
 // A window with a cheap picture, for the test that moves mouse and keys: a sky whose colors tell
 // the direction, and a ball at the origin. `show_sky NAME [slow | fails_when_moved]`
 #include "basics/error.h"
-#include "program/window/show_in_window.h"
+#include "program/show.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -1,4 +1,4 @@
-#include "program/window/show_in_window.h"
+#include "program/show.h"
 
 #include "basics/error.h"
 

@@ -1,4 +1,4 @@
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 #include "basics/error.h"
 

@@ -1,8 +1,7 @@
-#include "program/measure_command.h"
+#include "trace/measure_walks.h"
 
-#include "program/deliver.h"
-#include "program/progress.h"
-#include "program/tracing_options.h"
+#include "measure/measure_structures.h"
+#include "program/output.h"
 
 #include <iostream>
 
@@ -10,12 +9,12 @@ namespace raysteps {
 
 namespace {
 
-nlohmann::ordered_json numbers_of(const BuildCosts& build, const SceneCosts& costs) {
-    nlohmann::ordered_json facts = nlohmann::ordered_json::object();
+Numbers numbers_of(const BuildCosts& build, const SceneCosts& costs) {
+    Numbers facts = empty_object();
     for (const Fact& fact : build.facts) {
         facts[fact.name] = fact.value;
     }
-    nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
+    Numbers kinds = empty_list();
     for (const RayCosts& rays : costs.rays) {
         if (rays.contender == build.contender) {
             kinds.push_back({{"kind", rays.kind},
@@ -32,17 +31,17 @@ nlohmann::ordered_json numbers_of(const BuildCosts& build, const SceneCosts& cos
 
 } // namespace
 
-void measure_and_report(const Command& command, const Scene& scene,
-                        const std::vector<std::string>& structures) {
-    check_build_values(command, structures);
+void measure_walks(const std::vector<std::string>& structures, const PictureOptions& picture,
+                   const TraceOptions& tracing, const Scene& scene) {
+    check_build_values(tracing.build_values, structures);
     StructureContest contest({.structures = structures,
-                              .build_values = command.build_values,
-                              .triangle = command.triangle,
-                              .width = command.width,
-                              .height = command.height},
+                              .build_values = tracing.build_values,
+                              .triangle = tracing.triangle,
+                              .width = picture.size.width,
+                              .height = picture.size.height},
                              measure_limits());
     const SceneCosts costs = contest.measure(scene, show_progress("measuring"));
-    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    Numbers numbers = empty_list();
     for (const BuildCosts& build : costs.builds) {
         std::cout << "structure " << build.contender << ":";
         for (const Fact& fact : build.facts) {
@@ -52,11 +51,11 @@ void measure_and_report(const Command& command, const Scene& scene,
         numbers.push_back(numbers_of(build, costs));
     }
     std::cout << to_table(costs) << std::flush;
-    deliver_numbers(command, {{"scene", command.scene},
-                              {"renderer", renderer_name()},
-                              {"triangle", command.triangle},
-                              {"triangles", triangle_count(scene)},
-                              {"structures", numbers}});
+    write_numbers(picture.json, {{"scene", picture.scene},
+                                 {"renderer", renderer_name()},
+                                 {"triangle", tracing.triangle},
+                                 {"triangles", triangle_count(scene)},
+                                 {"structures", numbers}});
 }
 
 } // namespace raysteps

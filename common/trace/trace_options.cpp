@@ -1,0 +1,101 @@
+#include "trace/trace_options.h"
+
+#include "basics/error.h"
+#include "gpu/shaders.h"
+#include "program/output.h"
+#include "structure/padding.h"
+
+#include <cstdio>
+
+namespace raysteps {
+
+namespace {
+
+constexpr float room_to_move = 16.0f;
+
+void print_memory(const std::string& what) {
+    std::printf("memory    %s\n", what.c_str());
+    std::fflush(stdout);
+}
+
+void print_facts(const std::string& structure, const std::vector<Fact>& facts) {
+    std::string separator = ":";
+    for (const Fact& fact : facts) {
+        std::printf("%s %s %.6g", (separator == ":" ? "structure " + structure + ":" : ",").c_str(),
+                    fact.name.c_str(), fact.value);
+        separator = ",";
+    }
+    if (!facts.empty()) {
+        std::printf("\n");
+        std::fflush(stdout);
+    }
+}
+
+} // namespace
+
+std::vector<std::string> part_names(const std::string& slot) {
+    std::vector<std::string> names;
+    for (const NamedPart& part : list_parts(slot)) {
+        names.push_back(part.name);
+    }
+    return names;
+}
+
+void add_trace_options(Options& options, TraceOptions& tracing) {
+    options.choice("--triangle", tracing.triangle, "the triangle test", part_names("triangle"));
+    options.choice("--structure", tracing.structure, "what the rays walk through",
+                   part_names("structure"));
+    options.input_file("--rays", tracing.rays,
+                       "trace the rays of this file (.f32 or .csv) instead of a picture's");
+    options.output_file("--hits", tracing.hits, "the file for the hits of --rays (.f32 or .csv)");
+    options.check([&] {
+        if (tracing.rays.empty() != tracing.hits.empty()) {
+            throw InputError("--rays and --hits go together: name a file of rays and a file for "
+                             "their hits.");
+        }
+    });
+    for (const auto& [name, option] : all_build_options()) {
+        options.value("--" + name, "", option.meaning, [&, key = name](const std::string& value) {
+            tracing.build_values[key] = value;
+        });
+    }
+}
+
+void add_view_option(Options& options, std::string& view, const TraceOptions& tracing) {
+    std::vector<std::string> views = part_names("view");
+    views.insert(views.end(), {"visits", "tests"});
+    options.choice("--view", view, "what to show of the hits, or a heat map of the work", views);
+    options.check([&] {
+        if (view != "visits" || tracing.structure != "every_triangle") {
+            return;
+        }
+        if (options.given("--view")) {
+            throw InputError("--view visits: the loop over every triangle visits no cells. Take "
+                             "--view tests, or another --structure.");
+        }
+        view = "tests";
+    });
+}
+
+BuiltStructure build_structure(const std::string& structure, std::span<const glm::vec3> corners,
+                               BuildRequest request,
+                               const std::map<std::string, Builder>& own_builders) {
+    const StructureFamily family = family_of(structure);
+    check_build_values(request.values, {{structure}});
+    request.say = print_memory;
+    const auto own = own_builders.find(family.name);
+    BuiltStructure built;
+    {
+        const WorkNotice notice("building " + structure);
+        built = (own != own_builders.end() ? own->second : family.build)(corners, request);
+    }
+    print_facts(structure, built.facts);
+    return built;
+}
+
+float camera_reach(const PictureOptions& picture, const Scene& scene) {
+    const float reach = reach_of(scene.camera.eye, scene.corners);
+    return picture.window ? room_to_move * reach : reach;
+}
+
+} // namespace raysteps
