@@ -36,13 +36,13 @@ inline GridOptions with_density(double density) {
 }
 
 // How the walks through a grid compare with the loop over every triangle.
-struct Agreement {
+struct GridAgreement {
     std::size_t hits = 0; // of the loop
     std::size_t different = 0;
     std::size_t different_by_mailbox = 0;
 };
 
-inline Agreement agreement_of(const Scene& scene, const Grid& grid, std::span<const Ray> rays) {
+inline GridAgreement agreement_of(const Scene& scene, const Grid& grid, std::span<const Ray> rays) {
     const mirror::SceneBuffers buffers(scene);
     const std::vector<Hit> expected = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
     const PackedStructure packed = pack(grid);
@@ -56,7 +56,7 @@ inline Agreement agreement_of(const Scene& scene, const Grid& grid, std::span<co
 // Bit-equal with the loop; returns how many hits there are.
 inline std::size_t check_agreement(const Scene& scene, const Grid& grid,
                                    std::span<const Ray> rays) {
-    const Agreement agreement = agreement_of(scene, grid, rays);
+    const GridAgreement agreement = agreement_of(scene, grid, rays);
     CHECK(agreement.different == 0);
     CHECK(agreement.different_by_mailbox == 0);
     return agreement.hits;

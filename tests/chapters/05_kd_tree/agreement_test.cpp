@@ -21,7 +21,7 @@ std::size_t check_families(int seed, const Scene& scene, const KdOptions& option
     for (const RayFamily& family : families) {
         // All these origins lie within the usual reach: the tree is the same.
         const KdTree tree = tree_for(scene, family.rays, options);
-        const Agreement agreement = agreement_of(scene, tree, family.rays);
+        const KdAgreement agreement = agreement_of(scene, tree, family.rays);
         CAPTURE(seed, family.name, to_text(agreement));
         CHECK(tree.padding == shaped.padding);
         CHECK(agrees(agreement));
@@ -84,7 +84,7 @@ TEST_CASE("all walks find the hits of the loop on rays from far away", "[05][agr
     for (const float distance : {1e2f, 1e4f, 1e6f}) {
         const std::vector<Ray> rays = rays_from_far_away(numbers, scene.corners, distance, 2000);
         // The farther the origin, the more a triangle is padded for it.
-        const Agreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
+        const KdAgreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
         CAPTURE(distance, to_text(agreement));
         CHECK(agrees(agreement));
         CHECK(agreement.hits > 500);
@@ -105,7 +105,7 @@ TEST_CASE("a walk that is cut into rounds gives the same bits", "[05][agreement]
     }
     for (const RayFamily& family : families) {
         for (const int rounds : {1, 2, 7, 100}) {
-            const Agreement agreement = agreement_of(scene, tree, family.rays, rounds);
+            const KdAgreement agreement = agreement_of(scene, tree, family.rays, rounds);
             CAPTURE(family.name, rounds, to_text(agreement));
             CHECK(agrees(agreement));
         }

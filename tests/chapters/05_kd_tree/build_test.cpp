@@ -43,7 +43,7 @@ TEST_CASE("a tree of no triangle is one empty leaf and every ray misses", "[05][
     CHECK(tree.nodes.size() == 1);
     CHECK(tree.references.empty());
     RandomNumbers numbers(1);
-    const Agreement agreement = agreement_of(Scene{}, tree, random_rays(numbers, 100));
+    const KdAgreement agreement = agreement_of(Scene{}, tree, random_rays(numbers, 100));
     CHECK(agreement.hits == 0);
     CHECK(agrees(agreement));
 }
@@ -54,7 +54,7 @@ TEST_CASE("a tree of one triangle is one leaf", "[05][build]") {
     CHECK(first_fault(tree, scene.corners).empty());
     CHECK(tree.nodes.size() == 1);
     const std::vector<Ray> rays{{{0.25f, 0.25f, -1.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end}};
-    const Agreement agreement = agreement_of(scene, tree, rays);
+    const KdAgreement agreement = agreement_of(scene, tree, rays);
     CHECK(agreement.hits == 1);
     CHECK(agrees(agreement));
 }

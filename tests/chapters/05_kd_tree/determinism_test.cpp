@@ -14,7 +14,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every walk in any 
         RandomNumbers numbers(seed);
         const Scene scene = scene_of(reordered(mesh, order));
         for (const RayFamily& family : ray_families(numbers, scene.corners, 500)) {
-            const Agreement agreement =
+            const KdAgreement agreement =
                 agreement_of(scene, tree_for(scene, family.rays), family.rays);
             CAPTURE(static_cast<int>(order), family.name, to_text(agreement));
             CHECK(agrees(agreement));
@@ -38,7 +38,7 @@ TEST_CASE("ten thousand copies of a triangle make one leaf and the first copy is
     const std::vector<Ray> rays{{{0.25f, 0.25f, -1.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end},
                                 {{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, no_end}};
     for (const int rounds : {1 << 30, 100}) {
-        const Agreement agreement = agreement_of(scene, tree, rays, rounds);
+        const KdAgreement agreement = agreement_of(scene, tree, rays, rounds);
         CHECK(agreement.hits == rays.size());
         CHECK(agrees(agreement));
     }

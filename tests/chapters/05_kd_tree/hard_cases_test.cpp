@@ -20,7 +20,7 @@ TEST_CASE("K2 no walk depends on the size of t", "[05][hard_case]") {
         for (const float distance : {1e-4f, 32.0f, 2048.0f, 1e7f}) {
             const std::vector<Ray> rays =
                 with_large_t(rays_at_edges(numbers, scene.corners, 500), distance);
-            const Agreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
+            const KdAgreement agreement = agreement_of(scene, tree_for(scene, rays), rays);
             CAPTURE(scale, distance, to_text(agreement));
             CHECK(agrees(agreement));
             CHECK(agreement.hits > 400);
@@ -37,7 +37,7 @@ TEST_CASE("K3 rays in the planes of splits are answered", "[05][hard_case]") {
     const std::vector<Ray> in_one = rays_in_box_planes(numbers, tree, scene.corners, 3000);
     const std::vector<Ray> in_two = rays_along_box_edges(numbers, tree, 3000);
     for (const std::vector<Ray>& rays : {in_one, in_two}) {
-        const Agreement agreement = agreement_of(scene, tree, rays);
+        const KdAgreement agreement = agreement_of(scene, tree, rays);
         CAPTURE(to_text(agreement));
         CHECK(agrees(agreement));
         CHECK(agreement.hits > 1000);
@@ -57,7 +57,7 @@ TEST_CASE("K4 triangles that lie in planes of splits are hit", "[05][hard_case]"
         families.push_back({"lattice", rays_through_lattice_points(numbers, lattice, 1000)});
         families.push_back({"planes", rays_in_lattice_planes(numbers, lattice, 1000)});
         for (const RayFamily& family : families) {
-            const Agreement agreement = agreement_of(scene, tree, family.rays);
+            const KdAgreement agreement = agreement_of(scene, tree, family.rays);
             CAPTURE(family.name, to_text(agreement));
             CHECK(agrees(agreement));
         }
@@ -105,7 +105,7 @@ TEST_CASE("K6 walks go on through edges and corners of leaves", "[05][hard_case]
         rays.push_back({through - 4.0f * direction, direction, -no_end, no_end});
     }
     for (const int rounds : {1 << 30, 1}) {
-        const Agreement agreement = agreement_of(scene, tree, rays, rounds);
+        const KdAgreement agreement = agreement_of(scene, tree, rays, rounds);
         CAPTURE(to_text(agreement));
         CHECK(agrees(agreement));
         CHECK(agreement.hits > 1000);
@@ -151,7 +151,7 @@ TEST_CASE("K7 a ray that is one point long is answered", "[05][hard_case]") {
         point.t_max = point.t_min;
         points.push_back(point);
     }
-    const Agreement agreement = agreement_of(scene, tree, points);
+    const KdAgreement agreement = agreement_of(scene, tree, points);
     CAPTURE(to_text(agreement));
     CHECK(agrees(agreement));
     CHECK(agreement.hits > 1500);
@@ -170,7 +170,7 @@ TEST_CASE("K8 a hit beyond the exit of its leaf does not end the walk", "[05][ha
         const glm::vec3 target = small + glm::vec3(0.05f, 0.05f, 0.0f) * numbers.in_cube();
         rays.push_back({origin, target - origin, 0.0f, no_end});
     }
-    const Agreement agreement = agreement_of(scene, tree, rays);
+    const KdAgreement agreement = agreement_of(scene, tree, rays);
     CAPTURE(to_text(agreement));
     CHECK(agreement.hits > 100);
     CHECK(agrees(agreement));

@@ -49,7 +49,7 @@ inline KdOptions with_small_leaves() {
 }
 
 // How many hits of each walk are not those of the loop over every triangle.
-struct Agreement {
+struct KdAgreement {
     std::size_t hits = 0; // of the loop
     std::size_t restart = 0;
     std::size_t backtrack = 0;
@@ -57,18 +57,18 @@ struct Agreement {
     std::size_t ropes = 0;
 };
 
-inline bool agrees(const Agreement& agreement) {
+inline bool agrees(const KdAgreement& agreement) {
     return agreement.restart + agreement.backtrack + agreement.short_stack + agreement.ropes == 0;
 }
 
-inline std::string to_text(const Agreement& agreement) {
+inline std::string to_text(const KdAgreement& agreement) {
     return "different hits: restart " + std::to_string(agreement.restart) + ", backtrack " +
            std::to_string(agreement.backtrack) + ", short stack " +
            std::to_string(agreement.short_stack) + ", ropes " + std::to_string(agreement.ropes) +
            " of " + std::to_string(agreement.hits) + " hits";
 }
 
-inline Agreement agreement_of(const Scene& scene, const KdTree& tree, std::span<const Ray> rays,
+inline KdAgreement agreement_of(const Scene& scene, const KdTree& tree, std::span<const Ray> rays,
                               int rounds = whole_walk) {
     const mirror::SceneBuffers buffers(scene);
     const PackedStructure packed = pack(tree);

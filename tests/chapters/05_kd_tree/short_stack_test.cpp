@@ -27,7 +27,7 @@ TEST_CASE("a short stack that forgets finds all leaves again", "[05][hard_case]"
         const glm::vec3 target(x, 0.125f * numbers.unit(), 0.0625f);
         rays.push_back({origin, target - origin, 0.0f, no_end});
     }
-    const Agreement agreement = agreement_of(scene, tree, rays);
+    const KdAgreement agreement = agreement_of(scene, tree, rays);
     CAPTURE(to_text(agreement));
     CHECK(agrees(agreement));
     CHECK(agreement.hits > 1500);

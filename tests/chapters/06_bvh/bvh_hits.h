@@ -31,17 +31,17 @@ void for_each_walk(const mirror::SceneBuffers& scene, const PackedStructure& tre
 }
 
 // How the walks' hits agree with those of the loop over every triangle.
-struct Agreement {
+struct BvhAgreement {
     std::size_t hits = 0;   // of the loop
     std::string exceptions; // the walks that differ and how often; empty where none does
 };
 
-inline Agreement agreement_of(const Scene& scene, const Bvh& bvh, std::span<const Ray> rays,
+inline BvhAgreement agreement_of(const Scene& scene, const Bvh& bvh, std::span<const Ray> rays,
                               int rounds = whole_walk) {
     const mirror::SceneBuffers buffers(scene);
     const PackedStructure packed = pack(bvh, scene.corners);
     const std::vector<Hit> expected = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
-    Agreement agreement{count_hits(expected), ""};
+    BvhAgreement agreement{count_hits(expected), ""};
     for_each_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
         const std::size_t different = count_different(expected, hits_by(mirror, rays, rounds));
         if (different > 0) {

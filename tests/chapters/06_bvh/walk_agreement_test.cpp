@@ -14,7 +14,7 @@ std::size_t check_families(int seed, const Scene& scene, const BvhOptions& optio
     std::size_t hits = 0;
     for (const RayFamily& family : ray_families(numbers, scene.corners, count)) {
         const Bvh bvh = bvh_for(scene, family.rays, options);
-        const Agreement agreement = agreement_of(scene, bvh, family.rays);
+        const BvhAgreement agreement = agreement_of(scene, bvh, family.rays);
         CAPTURE(seed, static_cast<int>(options.split), family.name, agreement.exceptions);
         CHECK(agreement.exceptions.empty());
         hits += agreement.hits;
@@ -83,7 +83,7 @@ TEST_CASE("all BVH walks find the hits of the loop on rays from far away", "[06]
     for (const float distance : {1e2f, 1e4f, 1e6f}) {
         const std::vector<Ray> rays = rays_from_far_away(numbers, scene.corners, distance, 2000);
         // The farther the origin, the more a triangle is padded for it.
-        const Agreement agreement = agreement_of(scene, bvh_for(scene, rays), rays);
+        const BvhAgreement agreement = agreement_of(scene, bvh_for(scene, rays), rays);
         CAPTURE(distance, agreement.exceptions);
         CHECK(agreement.exceptions.empty());
         CHECK(agreement.hits > 500);
@@ -103,7 +103,7 @@ TEST_CASE("BVH walks do not depend on the length of the direction", "[06][agreem
         for (Ray& ray : rays) {
             ray.direction *= length;
         }
-        const Agreement agreement = agreement_of(scene, bvh_for(scene, rays), rays);
+        const BvhAgreement agreement = agreement_of(scene, bvh_for(scene, rays), rays);
         CAPTURE(length, agreement.exceptions);
         CHECK(agreement.exceptions.empty());
         CHECK(agreement.hits > 1000);
@@ -117,7 +117,7 @@ TEST_CASE("a BVH of no triangle and of one answers every ray", "[06][hard_case]"
     CHECK(check_families(seed, one, {}, 400) > 1000);
     RandomNumbers numbers(seed);
     const std::vector<Ray> rays = random_rays(numbers, 100);
-    const Agreement agreement = agreement_of(Scene{}, build_bvh({}, {}), rays);
+    const BvhAgreement agreement = agreement_of(Scene{}, build_bvh({}, {}), rays);
     CHECK(agreement.hits == 0);
     CHECK(agreement.exceptions.empty());
 }

@@ -17,7 +17,7 @@ TEST_CASE("of coincident triangles the smallest one is hit by every BVH walk in 
         RandomNumbers numbers(seed);
         const Scene scene = scene_of(reordered(mesh, order));
         for (const RayFamily& family : ray_families(numbers, scene.corners, 400)) {
-            const Agreement agreement =
+            const BvhAgreement agreement =
                 agreement_of(scene, bvh_for(scene, family.rays, options), family.rays);
             CAPTURE(static_cast<int>(order), family.name, agreement.exceptions);
             CHECK(agreement.exceptions.empty());

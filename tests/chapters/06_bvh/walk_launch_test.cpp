@@ -85,7 +85,7 @@ TEST_CASE("a BVH walk that is cut into rounds gives the same bits", "[06][agreem
     const Bvh bvh = build_bvh(scene.corners, with_long_leaves());
     for (const RayFamily& family : ray_families(numbers, scene.corners, 200)) {
         for (const int rounds : {1, 2, 7, 100}) {
-            const Agreement agreement = agreement_of(scene, bvh, family.rays, rounds);
+            const BvhAgreement agreement = agreement_of(scene, bvh, family.rays, rounds);
             CAPTURE(family.name, rounds, agreement.exceptions);
             CHECK(agreement.exceptions.empty());
         }
@@ -121,7 +121,7 @@ TEST_CASE("a tree far deeper than the stack loses no hit", "[06][hard_case]") {
     }
     for (const Bvh& bvh : {chain_of(scene), turned(chain_of(scene))}) {
         for (const int rounds : {whole_walk, 1, 50}) {
-            const Agreement agreement = agreement_of(scene, bvh, rays, rounds);
+            const BvhAgreement agreement = agreement_of(scene, bvh, rays, rounds);
             CAPTURE(rounds, agreement.exceptions);
             CHECK(agreement.exceptions.empty());
             CHECK(agreement.hits > 290);
