@@ -57,7 +57,7 @@ std::string objection(const std::string& from, const std::string& to) {
 }
 
 // The words of a row's last cell, up to what the module never includes.
-std::set<std::string> words_of(const std::string& cell) {
+std::set<std::string> modules_in(const std::string& cell) {
     std::istringstream words(
         std::regex_replace(cell.substr(0, cell.find(';')), std::regex(","), " "));
     std::set<std::string> allowed;
@@ -76,7 +76,7 @@ std::map<std::string, std::set<std::string>> read_table(std::istream& document) 
     while (std::getline(document, line)) {
         std::smatch match;
         if (std::regex_match(line, match, row)) {
-            table[match[1]] = words_of(match[2]);
+            table[match[1]] = modules_in(match[2]);
         }
     }
     return table;
