@@ -20,7 +20,7 @@ struct Answer {
     std::vector<std::vector<Found>> steps;
 };
 
-using AnswerQuestion = std::function<Answer(const Question&)>;
+using AnswerQuestion = std::function<Answer(const CourseQuestion&)>;
 
 // Writes the answers to the questions of the job: for the programs course_builders and
 // course_shaders, which take the names of the two files as their arguments. The exit code; where it

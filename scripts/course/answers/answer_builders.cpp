@@ -34,7 +34,7 @@ Ray random_box(std::mt19937& numbers) {
     return ray;
 }
 
-std::vector<Ray> boxes_of(const Question& question) {
+std::vector<Ray> boxes_of(const CourseQuestion& question) {
     std::vector<Ray> boxes = question.rays;
     std::mt19937 numbers(static_cast<std::uint32_t>(question.seed));
     for (int i = 0; i < question.random_rays; ++i) {
@@ -51,7 +51,7 @@ Box around(std::span<const Ray> boxes) {
     return all;
 }
 
-Found grid_cells(const Question& question, std::span<const Ray> boxes) {
+Found grid_cells(const CourseQuestion& question, std::span<const Ray> boxes) {
     std::vector<glm::vec3> corners; // a triangle that spans each box
     for (const Ray& ray : boxes) {
         corners.insert(corners.end(), {ray.origin, ray.direction, ray.origin});
@@ -82,7 +82,7 @@ KdEvents events_of(std::span<const Ray> boxes) {
     return events;
 }
 
-Found kd_plane(const Question& /*question*/, std::span<const Ray> boxes) {
+Found kd_plane(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
     const KdPlane plane = cheapest_plane(events_of(boxes), around(boxes), 0.0, {});
     return {static_cast<std::uint32_t>(plane.axis), bits(static_cast<double>(plane.position)),
             static_cast<std::uint32_t>(plane.lower_count), bits(plane.cost)};
@@ -107,16 +107,16 @@ Found bvh_cut(BvhSplitRule rule, std::span<const Ray> boxes) {
             bits(cut->cost), 0};
 }
 
-Found bvh_median(const Question& /*question*/, std::span<const Ray> boxes) {
+Found bvh_median(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
     return bvh_cut(split_median, boxes);
 }
 
-Found bvh_binned(const Question& /*question*/, std::span<const Ray> boxes) {
+Found bvh_binned(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
     return bvh_cut(split_binned, boxes);
 }
 
 // Of the last box, in the frame around all of them, along one axis.
-Found half_planes(const Question& question, std::span<const Ray> boxes) {
+Found half_planes(const CourseQuestion& question, std::span<const Ray> boxes) {
     const Box whole = around(boxes);
     const HalfFrame frame{whole.lower, whole.upper - whole.lower};
     const auto named = question.numbers.find("axis");
@@ -129,7 +129,7 @@ Found half_planes(const Question& question, std::span<const Ray> boxes) {
             bits(static_cast<double>(half_plane(frame, axis, above)))};
 }
 
-using AskBuilder = Found (*)(const Question&, std::span<const Ray>);
+using AskBuilder = Found (*)(const CourseQuestion&, std::span<const Ray>);
 
 AskBuilder builder_of(const std::string& subject) {
     static const std::map<std::string, AskBuilder> builders{{"grid_cells", grid_cells},
@@ -147,7 +147,7 @@ AskBuilder builder_of(const std::string& subject) {
 
 } // namespace
 
-Answer answer_by_builders(const Question& question) {
+Answer answer_by_builders(const CourseQuestion& question) {
     if (question.kind != QuestionKind::builder) {
         throw InputError("this program answers questions about builders. Ask course_shaders.");
     }

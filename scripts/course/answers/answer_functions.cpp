@@ -42,7 +42,7 @@ Ray random_numbers(std::mt19937& generator) {
 }
 
 // Of the first `numbers.rounds` numbers.
-Found range_of_rounds(const Question& question, const Ray& ray) {
+Found range_of_rounds(const CourseQuestion& question, const Ray& ray) {
     const Numbers numbers = numbers_of(ray);
     const std::vector<double> rounds(numbers.begin(),
                                      numbers.begin() + question.numbers.at("rounds"));
@@ -59,14 +59,14 @@ MeasuredRange range_from(const Ray& ray, std::size_t first) {
 }
 
 // Of two ranges, both ways.
-Found surely_below(const Question& /*question*/, const Ray& ray) {
+Found surely_below(const CourseQuestion& /*question*/, const Ray& ray) {
     const MeasuredRange first = range_from(ray, 0);
     const MeasuredRange second = range_from(ray, 3);
     return {lies_below(first, second) ? 1U : 0U, lies_below(second, first) ? 1U : 0U, 0, 0};
 }
 
 // Of four pairs of a number of triangles and a cost; no number where the function refuses them.
-Found growth(const Question& /*question*/, const Ray& ray) {
+Found growth(const CourseQuestion& /*question*/, const Ray& ray) {
     const Numbers numbers = numbers_of(ray);
     std::vector<GrowthPoint> points;
     for (std::size_t i = 0; i < numbers.size(); i += 2) {
@@ -79,7 +79,7 @@ Found growth(const Question& /*question*/, const Ray& ray) {
     }
 }
 
-Found bounce(const Question& /*question*/, const Ray& ray) {
+Found bounce(const CourseQuestion& /*question*/, const Ray& ray) {
     const glm::vec3 direction = cosine_direction(glm::normalize(ray.origin), ray.direction);
     return {std::bit_cast<std::uint32_t>(direction.x), std::bit_cast<std::uint32_t>(direction.y),
             std::bit_cast<std::uint32_t>(direction.z), 0};
@@ -98,7 +98,7 @@ glm::vec3 point_on_spiral(int i) {
 }
 
 // The means of the cosine and of its square, over bounces that know nothing of each other.
-Found mean_bounce(const Question& /*question*/, const Ray& ray) {
+Found mean_bounce(const CourseQuestion& /*question*/, const Ray& ray) {
     const glm::vec3 normal = glm::normalize(ray.origin);
     double cosines = 0.0;
     double squares = 0.0;
@@ -111,7 +111,7 @@ Found mean_bounce(const Question& /*question*/, const Ray& ray) {
     return {bits(cosines / points_on_spiral), bits(squares / points_on_spiral), 0, 0};
 }
 
-using AskFunction = Found (*)(const Question&, const Ray&);
+using AskFunction = Found (*)(const CourseQuestion&, const Ray&);
 
 AskFunction function_of(const std::string& subject) {
     static const std::map<std::string, AskFunction> functions{{"range_of_rounds", range_of_rounds},
@@ -129,7 +129,7 @@ AskFunction function_of(const std::string& subject) {
 
 } // namespace
 
-Answer answer_by_functions(const Question& question) {
+Answer answer_by_functions(const CourseQuestion& question) {
     const AskFunction ask = function_of(question.subject);
     Answer answer{question.rays, {{}}};
     std::mt19937 generator(static_cast<std::uint32_t>(question.seed));

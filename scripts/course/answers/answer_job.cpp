@@ -43,9 +43,9 @@ Outcome outcome_of(const std::function<std::string()>& job) {
 }
 
 // {"answers": [{"rays": [...], "steps": [...]}, ...]}, in integers.
-std::string answers_of(const std::vector<Question>& questions, const AnswerQuestion& ask) {
+std::string answers_of(const std::vector<CourseQuestion>& questions, const AnswerQuestion& ask) {
     nlohmann::json answers = nlohmann::json::array();
-    for (const Question& question : questions) {
+    for (const CourseQuestion& question : questions) {
         const Answer answer = ask(question);
         nlohmann::json rays = nlohmann::json::array();
         for (const Ray& ray : answer.rays) {

@@ -32,13 +32,13 @@ constexpr float farthest_start = 1.5f;
 
 constexpr int most_bounces = 3;
 
-Scene scene_of(const Question& question) {
+Scene scene_of(const CourseQuestion& question) {
     return load_scene(question.scene,
                       static_cast<float>(question.width) / static_cast<float>(question.height));
 }
 
 // From around the scene's box to a point in it, as an exercise wants them: most meet something.
-std::vector<Ray> rays_of(const Question& question, const Scene& scene) {
+std::vector<Ray> rays_of(const CourseQuestion& question, const Scene& scene) {
     const Box box = bounds_of(scene.corners);
     const glm::vec3 size = box.upper - box.lower;
     const float around = farthest_start * std::max({size.x, size.y, size.z});
@@ -52,12 +52,12 @@ std::vector<Ray> rays_of(const Question& question, const Scene& scene) {
     return rays;
 }
 
-Parts parts_of(const Question& question) {
+Parts parts_of(const CourseQuestion& question) {
     return {{"triangle", find_part("triangle", question.triangle)},
             {"structure", find_part("structure", question.structure)}};
 }
 
-SceneTextures upload(const Question& question, const Scene& scene, float reach) {
+SceneTextures upload(const CourseQuestion& question, const Scene& scene, float reach) {
     return upload(scene, family_of(question.structure)
                              .build(scene.corners, {.reach = reach, .values = question.options}));
 }
@@ -86,7 +86,7 @@ Image magnified(const Image& image) {
     return large;
 }
 
-Answer answer_checkpoint(const Question& question) {
+Answer answer_checkpoint(const CourseQuestion& question) {
     const Scene scene = scene_of(question);
     Answer answer{rays_of(question, scene), {}};
     const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
@@ -128,7 +128,7 @@ Answer answer_checkpoint(const Question& question) {
     return answer;
 }
 
-Answer answer_rays(const Question& question) {
+Answer answer_rays(const CourseQuestion& question) {
     const Scene scene = scene_of(question);
     const RayTextures rays = generate_rays(
         scene.camera, question.width, question.height,
@@ -152,7 +152,7 @@ const Limits& limits() {
     return limits;
 }
 
-Answer answer_picture(const Question& question) {
+Answer answer_picture(const CourseQuestion& question) {
     const Scene scene = scene_of(question);
     SceneTextures textures = upload(question, scene, reach_of(scene.camera.eye, scene.corners));
     Image image;
@@ -176,7 +176,7 @@ Answer answer_picture(const Question& question) {
 // 8-bit picture near white is 0.009, and other orders of operations stay far below.
 constexpr float wrong_pixel = 0.004f;
 
-Answer answer_difference(const Question& question) {
+Answer answer_difference(const CourseQuestion& question) {
     std::filesystem::path own = question.picture;
     std::filesystem::path other = question.reference;
     const Image yours = read_pfm(own.replace_extension(".pfm"));
@@ -205,7 +205,7 @@ Answer answer_difference(const Question& question) {
 
 } // namespace
 
-Answer answer_by_shaders(const Question& question) {
+Answer answer_by_shaders(const CourseQuestion& question) {
     switch (question.kind) {
     case QuestionKind::checkpoint:
         return answer_checkpoint(question);

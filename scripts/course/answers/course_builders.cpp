@@ -6,7 +6,7 @@
 using namespace raysteps;
 
 int main(int argc, char** argv) {
-    return answer_job(argc, argv, [](const Question& question) {
+    return answer_job(argc, argv, [](const CourseQuestion& question) {
         return question.kind == QuestionKind::function ? answer_by_functions(question)
                                                        : answer_by_builders(question);
     });

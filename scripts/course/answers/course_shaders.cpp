@@ -7,7 +7,7 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     std::unique_ptr<Context> context;
-    const auto answer = [&](const Question& question) {
+    const auto answer = [&](const CourseQuestion& question) {
         if (!context && question.kind != QuestionKind::difference) {
             context = make_context(ContextKind::osmesa);
         }

@@ -47,8 +47,8 @@ std::map<std::string, Vector> vectors_of(const Json& json) {
     return vectors;
 }
 
-Question question_of(const Json& json) {
-    Question question;
+CourseQuestion question_of(const Json& json) {
+    CourseQuestion question;
     question.kind = kind_of(json.at("kind").get<std::string>());
     question.subject = json.at("subject").get<std::string>();
     question.scene = json.value("scene", question.scene);

@@ -24,7 +24,7 @@ enum class QuestionKind {
 
 // What `./course` wants to know of the shader parts and builders as they stand. Numbers that are
 // not named have these values.
-struct Question {
+struct CourseQuestion {
     QuestionKind kind = QuestionKind::checkpoint;
     std::string subject; // the checkpoint's file, `direct` or `interpolated`, the view of
                          // the picture (`whitted`: with light), or the name of the builder
@@ -51,7 +51,7 @@ struct Question {
 // above. A ray is eight integers, the bits of its numbers.
 struct Job {
     std::string shaders; // the folders that RAYSTEPS_SHADERS shall name; empty where none are given
-    std::vector<Question> questions;
+    std::vector<CourseQuestion> questions;
 };
 
 // Throws InputError with the place, such as a file's name, where the text is no job.
