@@ -197,7 +197,7 @@ Material material_of(int level) {
     const std::vector<glm::vec3> colors = {{0.60f, 0.30f, 0.10f}, {0.65f, 0.45f, 0.10f},
                                            {0.45f, 0.50f, 0.15f}, {0.15f, 0.45f, 0.45f},
                                            {0.15f, 0.25f, 0.55f}, {0.45f, 0.20f, 0.50f}};
-    return mirror("level " + std::to_string(level), colors[level], glm::vec3(0.25f));
+    return mirror_material("level " + std::to_string(level), colors[level], glm::vec3(0.25f));
 }
 
 int divisions_of(int level) {
@@ -387,7 +387,7 @@ Scene sample_mount(int depth) {
     scene = add_mesh(std::move(scene), grounds[1], matte("rock", {0.38f, 0.32f, 0.27f}));
     scene = add_mesh(std::move(scene), grounds[2], matte("snow", {0.88f, 0.90f, 0.93f}));
     scene = add_mesh(std::move(scene), four_balls(),
-                     mirror("mirror", glm::vec3(0.05f), glm::vec3(0.85f)));
+                     mirror_material("mirror", glm::vec3(0.05f), glm::vec3(0.85f)));
     scene.lights = {{{-6.0f, 5.0f, 3.0f}, {0.95f, 0.85f, 0.70f}},
                     {{5.0f, 6.0f, 5.0f}, {0.22f, 0.26f, 0.34f}}};
     scene.camera = {{0.55f, 0.95f, 2.6f}, {0.0f, 0.42f, 0.0f}, {0.0f, 1.0f, 0.0f}, 36.0f};

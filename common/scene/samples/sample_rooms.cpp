@@ -168,7 +168,7 @@ Scene sample_room() {
     scene = add_mesh(std::move(scene),
                      quad({0.62f, 1.22f, -1.94f}, {1.88f, 1.22f, -1.94f}, {1.88f, 2.18f, -1.94f},
                           {0.62f, 2.18f, -1.94f}),
-                     mirror("mirror", glm::vec3(0.0f), glm::vec3(0.9f)));
+                     mirror_material("mirror", glm::vec3(0.0f), glm::vec3(0.9f)));
     scene = add_mesh(std::move(scene), sphere({0.75f, 1.051f, -0.3f}, 0.25f, 12),
                      glass("crystal", 1.6f, {0.9f, 0.95f, 1.0f}));
     scene = add_mesh(std::move(scene), sphere({0.15f, 0.951f, -0.1f}, 0.15f, 10),
@@ -179,7 +179,7 @@ Scene sample_room() {
         add_mesh(std::move(scene), sphere(globe_center, 0.25f, 10), painted("globe", "made:globe"));
     scene = map_around(std::move(scene), globe, globe_center);
     scene = add_mesh(std::move(scene), sphere({-1.5f, 0.361f, 0.2f}, 0.36f, 10),
-                     mirror("gold", {0.10f, 0.07f, 0.02f}, {0.90f, 0.68f, 0.30f}));
+                     mirror_material("gold", {0.10f, 0.07f, 0.02f}, {0.90f, 0.68f, 0.30f}));
     scene = add_mesh(std::move(scene),
                      quad({-0.4f, room_lamp_height, -0.5f}, {0.4f, room_lamp_height, -0.5f},
                           {0.4f, room_lamp_height, 0.3f}, {-0.4f, room_lamp_height, 0.3f}),
@@ -242,7 +242,7 @@ Scene sample_glass_box() {
                       {0.25f, glass_box_lamp_height, 0.2f}, {-0.25f, glass_box_lamp_height, 0.2f}),
                  glowing("lamp", {1.0f, 0.96f, 0.88f}));
     scene = add_mesh(std::move(scene), sphere({-0.42f, 0.4f, -0.42f}, 0.38f, 14),
-                     mirror("silver", glm::vec3(0.02f), {0.93f, 0.94f, 0.95f}));
+                     mirror_material("silver", glm::vec3(0.02f), {0.93f, 0.94f, 0.95f}));
     scene = add_mesh(std::move(scene), sphere({0.42f, 0.38f, 0.2f}, 0.36f, 14),
                      glass("glass", 1.5f, {0.86f, 0.96f, 0.92f}));
     scene.lights = {{{0.0f, glass_box_lamp_height, -0.05f},
@@ -281,9 +281,9 @@ Mesh tiles(int remainder) {
 } // namespace
 
 Scene sample_mirrors() {
-    const Material silver = mirror("silver", glm::vec3(0.03f), {0.88f, 0.89f, 0.90f});
-    const Material gold = mirror("gold", {0.10f, 0.07f, 0.02f}, {0.90f, 0.68f, 0.30f});
-    const Material copper = mirror("copper", {0.08f, 0.04f, 0.03f}, {0.85f, 0.50f, 0.40f});
+    const Material silver = mirror_material("silver", glm::vec3(0.03f), {0.88f, 0.89f, 0.90f});
+    const Material gold = mirror_material("gold", {0.10f, 0.07f, 0.02f}, {0.90f, 0.68f, 0.30f});
+    const Material copper = mirror_material("copper", {0.08f, 0.04f, 0.03f}, {0.85f, 0.50f, 0.40f});
 
     Scene scene;
     scene = add_mesh(std::move(scene), tiles(0), matte("light tile", {0.75f, 0.72f, 0.66f}));

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "support/compare_hits.h"
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
 #include "scene/load_scene.h"
@@ -14,11 +15,6 @@
 using namespace raysteps;
 
 namespace {
-
-long count_hits(std::span<const Hit> hits) {
-    return std::count_if(hits.begin(), hits.end(),
-                         [](const Hit& hit) { return hit.triangle != no_triangle; });
-}
 
 // Rays from the middle of a sphere in all directions: each must hit.
 std::vector<Ray> rays_from_inside(int count) {

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "grid_hits.h"
 #include "structure/grid/grid.h"
 #include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
@@ -16,12 +17,6 @@ using namespace raysteps;
 namespace {
 
 const std::vector<std::string> no_faults;
-
-GridOptions with_resolution(int resolution) {
-    GridOptions options;
-    options.resolution = resolution;
-    return options;
-}
 
 // One small triangle in the middle of each cell of a lattice of unit cells.
 std::vector<glm::vec3> one_a_unit_cell(int cells) {

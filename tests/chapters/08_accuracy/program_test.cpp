@@ -16,7 +16,7 @@ using namespace raysteps;
 namespace {
 
 int run(const std::string& arguments, const ScratchFolder& folder) {
-    const std::string command = std::string("'") + PROGRAM + "' " + arguments + " --out '" +
+    const std::string command = std::string("'") + PROGRAM_08_ACCURACY + "' " + arguments + " --out '" +
                                 (folder / "").string() + "' >'" + (folder / "log").string() +
                                 "' 2>&1";
     const int status = std::system(command.c_str()); // NOLINT(cert-env33-c): the words are ours

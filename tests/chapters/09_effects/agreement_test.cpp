@@ -41,7 +41,7 @@ Scene tank() {
     scene = add_mesh(scene,
                      quad({-2.5f, -0.9f, -1.5f}, {2.5f, -0.9f, -1.5f}, {2.5f, 1.5f, -1.5f},
                           {-2.5f, 1.5f, -1.5f}),
-                     mirror("mirror", glm::vec3(0.05f), glm::vec3(0.8f)));
+                     mirror_material("mirror", glm::vec3(0.05f), glm::vec3(0.8f)));
     scene = add_mesh(scene, icosahedron({-1.8f, -0.4f, 0.5f}, 0.5f),
                      glossy("glossy", {0.2f, 0.3f, 0.6f}, 0.6f, 30.0f));
     scene.lights = {{{-3, 5, 4}, {0.8f, 0.8f, 0.7f}}, {{4, 3, 2}, {0.3f, 0.3f, 0.4f}}};

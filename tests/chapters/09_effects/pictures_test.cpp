@@ -13,7 +13,7 @@ using namespace raysteps;
 
 namespace {
 
-using Parts = mirror::EffectParts<double>;
+using PictureParts = mirror::EffectParts<double>;
 
 // The texels of one picture of four grey values: 0.1 and 0.2 above, 0.3 and 0.4 below.
 struct SmallPicture {
@@ -25,8 +25,8 @@ struct SmallPicture {
     }
 
     std::vector<glm::vec4> texels; // the last one is level 1
-    Parts parts{};
-    Parts::Picture picture{0, 2, 2, 2};
+    PictureParts parts{};
+    PictureParts::Picture picture{0, 2, 2, 2};
 };
 
 // A wall with a picture over the part of it that the camera sees, and a light straight before it.

@@ -12,13 +12,6 @@
 
 using namespace raysteps;
 
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
-} // namespace
-
 TEST_CASE("one known pixel makes the known difference", "[image]") {
     const Image a(2, 2);
     Image b(2, 2);

@@ -1,5 +1,6 @@
 #include "image/heat_map.h"
 
+#include "random_image.h"
 #include "support/error_of.h"
 
 #include "catch.h"
@@ -16,8 +17,6 @@ using namespace raysteps;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float largest = std::numeric_limits<float>::max();
 constexpr float smallest = std::numeric_limits<float>::denorm_min();
 constexpr HeatMapScale logarithmic = HeatMapScale::logarithmic;

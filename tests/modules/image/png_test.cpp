@@ -18,7 +18,7 @@ using namespace raysteps;
 namespace {
 
 // A red pixel and one of the gray step 188, as zlib and the PNG specification make them.
-const std::string two_pixels(
+const std::string two_pixel_png(
     "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x02\0\0\0\x01\x08\x02\0\0\0\x7b\x40\xe8\xdd"
     "\0\0\0\x0fIDAT\x78\xda\x63\xf8\xcf\xc0\xb0\x67\xcf\x1e\0\x0a\x69\x03\x34\x89\xc3\x77\x01"
     "\0\0\0\0IEND\xae\x42\x60\x82",
@@ -29,7 +29,7 @@ constexpr std::size_t width_byte = 16; // of the four in a PNG header, the most 
 
 TEST_CASE("a known PNG file has the colors that were stored", "[image]") {
     const ScratchFolder folder("known_png");
-    put_bytes(folder / "two.png", two_pixels);
+    put_bytes(folder / "two.png", two_pixel_png);
     const Image image = read_picture(folder / "two.png");
     REQUIRE(image.width == 2);
     REQUIRE(image.height == 1);
@@ -43,7 +43,7 @@ TEST_CASE("a written PNG file is sRGB encoded with row 0 on top", "[image]") {
     image.at(0, 0) = glm::vec3(0.5f);
     image.at(0, 1) = {2.0f, -1.0f, 1.0f};
     write_png(folder / "rows.png", image);
-    CHECK(bytes_of(folder / "rows.png").substr(0, 8) == two_pixels.substr(0, 8));
+    CHECK(bytes_of(folder / "rows.png").substr(0, 8) == two_pixel_png.substr(0, 8));
     const Image read = read_picture(folder / "rows.png");
     CHECK(read.at(0, 0) == glm::vec3(decode_srgb(188)));
     CHECK(read.at(0, 1) == glm::vec3(1.0f, 0.0f, 1.0f));
@@ -77,10 +77,10 @@ TEST_CASE("colors of 8 bits come back from a PNG file", "[image]") {
 
 TEST_CASE("a PNG file that ends too early is an error", "[image]") {
     const ScratchFolder folder("png_truncated");
-    const std::size_t without_end_chunk = two_pixels.size() - 12;
+    const std::size_t without_end_chunk = two_pixel_png.size() - 12;
     for (std::size_t length = 0; length < without_end_chunk; length++) {
         CAPTURE(length);
-        put_bytes(folder / "short.png", two_pixels.substr(0, length));
+        put_bytes(folder / "short.png", two_pixel_png.substr(0, length));
         CHECK(error_of([&] { read_picture(folder / "short.png"); }).find("short.png") !=
               std::string::npos);
     }
@@ -89,7 +89,7 @@ TEST_CASE("a PNG file that ends too early is an error", "[image]") {
 TEST_CASE("a damaged PNG file is read or is an error and never worse", "[image]") {
     const ScratchFolder folder("png_damaged");
     REQUIRE(rc::check([&folder] {
-        std::string bytes = two_pixels;
+        std::string bytes = two_pixel_png;
         bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::arbitrary<char>();
         put_bytes(folder / "damaged.png", bytes);
         error_of([&] { read_picture(folder / "damaged.png"); });
@@ -98,7 +98,7 @@ TEST_CASE("a damaged PNG file is read or is an error and never worse", "[image]"
 
 TEST_CASE("a PNG file of absurd size is an error that names the size", "[image]") {
     const ScratchFolder folder("png_absurd");
-    std::string bytes = two_pixels;
+    std::string bytes = two_pixel_png;
     bytes[width_byte + 1] = '\x01'; // 65,538 columns
     put_bytes(folder / "absurd.png", bytes);
     CHECK(error_of([&] { read_picture(folder / "absurd.png"); }).find("65538 x 1") !=
@@ -110,7 +110,7 @@ TEST_CASE("a PNG file of absurd size is an error that names the size", "[image]"
 
 TEST_CASE("a small PNG picture in a large file is refused before it is unpacked", "[image]") {
     const ScratchFolder folder("png_bomb");
-    put_bytes(folder / "bomb.png", two_pixels + std::string(1 << 20, '\0'));
+    put_bytes(folder / "bomb.png", two_pixel_png + std::string(1 << 20, '\0'));
     CHECK(error_of([&] { read_picture(folder / "bomb.png"); }).find("too many for its 2 pixels") !=
           std::string::npos);
 }

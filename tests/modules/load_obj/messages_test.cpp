@@ -13,7 +13,7 @@ struct Loaded {
     std::string messages;
 };
 
-Loaded load_corpus(const std::string& name) {
+Loaded load_with_messages(const std::string& name) {
     const Scene scene = load_obj(corpus_file(name));
     return {triangle_count(scene), joined(scene.messages)};
 }
@@ -21,14 +21,14 @@ Loaded load_corpus(const std::string& name) {
 } // namespace
 
 TEST_CASE("faces without area are dropped and counted by line", "[obj]") {
-    const Loaded loaded = load_corpus("zero_area.obj");
+    const Loaded loaded = load_with_messages("zero_area.obj");
     CHECK(loaded.triangles == 1);
     CHECK_THAT(loaded.messages, contains_text("zero_area.obj:6: A face without area was dropped, "
                                               "3 times (lines 6, 8, 9)."));
 }
 
 TEST_CASE("a face that repeats a vertex is dropped or drawn without the repetition", "[obj]") {
-    const Loaded loaded = load_corpus("repeated_index.obj");
+    const Loaded loaded = load_with_messages("repeated_index.obj");
     CHECK(loaded.triangles == 2);
     CHECK_THAT(loaded.messages,
                contains_text("A face without area was dropped, 2 times (lines 5, 8)."));
@@ -38,27 +38,27 @@ TEST_CASE("a face that repeats a vertex is dropped or drawn without the repetiti
 }
 
 TEST_CASE("faces with fewer than three corners are dropped and counted by line", "[obj]") {
-    const Loaded loaded = load_corpus("two_corners.obj");
+    const Loaded loaded = load_with_messages("two_corners.obj");
     CHECK(loaded.triangles == 0);
     CHECK_THAT(loaded.messages, contains_text("two_corners.obj:4: A face with fewer than three "
                                               "corners was dropped, 3 times (lines 4, 5, 6)."));
 }
 
 TEST_CASE("words that OBJ does not know are skipped and counted by line", "[obj]") {
-    const Loaded capital = load_corpus("upper_case.obj");
+    const Loaded capital = load_with_messages("upper_case.obj");
     CHECK(capital.triangles == 0);
     CHECK_THAT(capital.messages, contains_text("upper_case.obj:1: OBJ has no statement \"V\""));
     CHECK_THAT(capital.messages, contains_text("upper_case.obj:5: OBJ has no statement \"F\""));
     CHECK_THAT(capital.messages, contains_text("2 times (lines 5, 6)."));
 
-    const Loaded unknown = load_corpus("unknown_words.obj");
+    const Loaded unknown = load_with_messages("unknown_words.obj");
     CHECK(unknown.triangles == 1);
     CHECK_THAT(unknown.messages, contains_text("unknown_words.obj:4: OBJ has no statement "
                                                "\"zap\""));
 }
 
 TEST_CASE("lines and points and curves and groups are skipped in silence", "[obj]") {
-    const Loaded loaded = load_corpus("lines_and_curves.obj");
+    const Loaded loaded = load_with_messages("lines_and_curves.obj");
     CHECK(loaded.triangles == 1);
     CHECK_THAT(loaded.messages, !contains_text("no statement"));
 }
@@ -75,7 +75,7 @@ TEST_CASE("however much is wrong the messages stay few", "[obj]") {
 }
 
 TEST_CASE("a smoothing group that is none sets smoothing off with a message", "[obj]") {
-    const Loaded loaded = load_corpus("smoothing_unknown.obj");
+    const Loaded loaded = load_with_messages("smoothing_unknown.obj");
     CHECK(loaded.triangles == 4);
     CHECK_THAT(loaded.messages, contains_text(":6: There is no smoothing group \"-4\""));
     CHECK_THAT(loaded.messages, contains_text(":8: There is no smoothing group \"99999999999\""));

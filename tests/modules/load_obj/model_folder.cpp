@@ -25,7 +25,7 @@ std::filesystem::path ModelFolder::write(const std::string& name, std::string_vi
 }
 
 std::filesystem::path corpus_file(const std::string& name) {
-    return std::filesystem::path(RAYSTEPS_TEST_DIR) / "corpus" / name;
+    return std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "tests/modules/load_obj/corpus" / name;
 }
 
 std::string error_of(const std::filesystem::path& path) {

@@ -12,8 +12,6 @@ using namespace raysteps;
 
 namespace {
 
-constexpr double unit_roundoff = 1.0 / 9007199254740992.0; // of double: 2^-53
-
 struct Family {
     std::string name;
     Aim aim;
@@ -58,18 +56,18 @@ TEST_CASE("double agrees with exact arithmetic wherever rounding does not reach 
         hits += expected != no_triangle ? 1 : 0;
         if (found == expected && found != no_triangle) {
             const auto three = corners_of(found, corners);
-            const double reach = rounding_bound(ray, three, unit_roundoff);
+            const double reach = rounding_bound(ray, three, unit_roundoff_of_double);
             REQUIRE(std::abs(doubles[i].u - exacts[i].u) <= reach);
             REQUIRE(std::abs(doubles[i].v - exacts[i].v) <= reach);
             REQUIRE(std::abs(doubles[i].t - exacts[i].t) <=
-                    rounding_bound_of_t(ray, three, unit_roundoff, exacts[i].t));
+                    rounding_bound_of_t(ray, three, unit_roundoff_of_double, exacts[i].t));
         }
         if (found != expected) {
             leaks += found == no_triangle ? 1 : 0;
             false_hits += expected == no_triangle ? 1 : 0;
             other_triangles += found != no_triangle && expected != no_triangle ? 1 : 0;
-            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff) ||
-                                 is_too_close_to_call(ray, found, corners, unit_roundoff);
+            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff_of_double) ||
+                                 is_too_close_to_call(ray, found, corners, unit_roundoff_of_double);
             REQUIRE(excused);
         }
     }

@@ -10,12 +10,6 @@
 
 using namespace raysteps;
 
-namespace {
-
-constexpr double unit_roundoff = 1.0 / 16777216.0; // of float: 2^-24
-
-} // namespace
-
 TEST_CASE("Embree agrees with exact arithmetic wherever its rounding does not reach the edge",
           "[reference][agreement][embree]") {
     const auto [name, aim, half_side] =
@@ -43,17 +37,17 @@ TEST_CASE("Embree agrees with exact arithmetic wherever its rounding does not re
         hits += expected != no_triangle ? 1 : 0;
         if (found.triangle == expected && expected != no_triangle) {
             const auto three = corners_of(expected, corners);
-            const double reach = rounding_bound(ray, three, unit_roundoff);
+            const double reach = rounding_bound(ray, three, unit_roundoff_of_float);
             REQUIRE(std::abs(found.u - exacts[i].u) <= reach);
             REQUIRE(std::abs(found.v - exacts[i].v) <= reach);
             REQUIRE(std::abs(found.t - exacts[i].t) <=
-                    rounding_bound_of_t(ray, three, unit_roundoff, exacts[i].t));
+                    rounding_bound_of_t(ray, three, unit_roundoff_of_float, exacts[i].t));
         }
         if (found.triangle != expected) {
             ++different;
             leaks += found.triangle == no_triangle ? 1 : 0;
-            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff) ||
-                                 is_too_close_to_call(ray, found.triangle, corners, unit_roundoff);
+            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff_of_float) ||
+                                 is_too_close_to_call(ray, found.triangle, corners, unit_roundoff_of_float);
             REQUIRE(excused);
         }
     }

@@ -12,7 +12,7 @@ using namespace raysteps;
 
 namespace {
 
-using Corners = std::array<glm::vec3, 3>;
+using Triangle = std::array<glm::vec3, 3>;
 
 std::array<std::uint64_t, 4> bits_of(const ExactIntersection& answer) {
     return {std::bit_cast<std::uint64_t>(answer.t), std::bit_cast<std::uint64_t>(answer.u),
@@ -24,14 +24,14 @@ std::array<std::uint64_t, 4> bits_of(const ExactIntersection& answer) {
 TEST_CASE("a tiny triangle is hit as a large one is", "[reference][exact][T5]") {
     const float size = GENERATE(1.0f, 1e-6f, 1e-18f, 1e-30f, 1e-38f, 1e-44f);
     CAPTURE(size);
-    const Corners tiny{glm::vec3(0), glm::vec3(size, 0, 0), glm::vec3(0, size, 0)};
+    const Triangle tiny{glm::vec3(0), glm::vec3(size, 0, 0), glm::vec3(0, size, 0)};
     const Ray ray{{size / 3.0f, size / 3.0f, -1.0f}, {0, 0, 1}, 0.0f, infinity};
     CHECK(exact_intersection(ray, tiny).hit);
 }
 
 TEST_CASE("the largest floats do not overflow", "[reference][exact]") {
     const float large = std::numeric_limits<float>::max();
-    const Corners huge{glm::vec3(-large, -large, 0), glm::vec3(large, -large, 0),
+    const Triangle huge{glm::vec3(-large, -large, 0), glm::vec3(large, -large, 0),
                        glm::vec3(0, large, 0)};
     const Ray ray{{0, 0, large}, {0, 0, -large}, 0.0f, infinity};
     const ExactIntersection answer = exact_intersection(ray, huge);
@@ -58,7 +58,7 @@ TEST_CASE("a ray in the plane of the triangle misses it", "[reference][exact][T9
 TEST_CASE("minus zero gives the same bits as plus zero", "[reference][exact][T10]") {
     const Ray plus{{0.0f, 0.25f, 2.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, infinity};
     const Ray minus{{-0.0f, 0.25f, 2.0f}, {-0.0f, -0.0f, -1.0f}, -0.0f, infinity};
-    const Corners negated{glm::vec3(-0.0f), {1.0f, -0.0f, -0.0f}, {-0.0f, 1.0f, -0.0f}};
+    const Triangle negated{glm::vec3(-0.0f), {1.0f, -0.0f, -0.0f}, {-0.0f, 1.0f, -0.0f}};
     const ExactIntersection answer = exact_intersection(plus, unit_triangle);
     CHECK(answer.hit);
     CHECK(bits_of(answer) == bits_of(exact_intersection(minus, unit_triangle)));

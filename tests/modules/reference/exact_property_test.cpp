@@ -1,6 +1,8 @@
 #include "reference/exact.h"
 
 #include "catch.h"
+#include "rounding_bound.h"
+#include "unit_triangle.h"
 
 #include <glm/geometric.hpp>
 #include <rapidcheck.h>
@@ -12,8 +14,6 @@
 using namespace raysteps;
 
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // Multiples of 1/64 up to 16: sums and small multiples of them are still floats without rounding.
 glm::vec3 lattice_point() {
@@ -41,8 +41,6 @@ Problem any_problem() {
     const glm::vec3 direction = *rc::gen::arbitrary<bool>() ? target - origin : lattice_point();
     return {{origin, direction, 0.0f, infinity}, corners};
 }
-
-constexpr double unit_roundoff = 1.0 / 9007199254740992.0; // 2^-53
 
 } // namespace
 
@@ -81,7 +79,7 @@ TEST_CASE("moving the origin along the ray by a power of two takes it off t",
         // Each t is rounded once, and so is the difference here.
         const double expected = before.hit ? before.t - step : after.t;
         const double bound =
-            unit_roundoff * (std::abs(before.t) + std::abs(after.t) + std::abs(expected));
+            unit_roundoff_of_double * (std::abs(before.t) + std::abs(after.t) + std::abs(expected));
         RC_ASSERT(std::abs(after.t - expected) <= bound);
     }));
 }
@@ -102,7 +100,7 @@ TEST_CASE("t and the barycentric coordinates name the same point", "[reference][
         // t |d| is the way from the origin: at most 64. On the triangle: three weights of up to
         // three roundings, three products and two sums, of at most 16. Together under 512 roundings
         // of 1.
-        RC_ASSERT(glm::length(on_ray - on_triangle) <= 512.0 * unit_roundoff);
+        RC_ASSERT(glm::length(on_ray - on_triangle) <= 512.0 * unit_roundoff_of_double);
     }));
 }
 

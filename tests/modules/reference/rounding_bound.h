@@ -13,6 +13,9 @@
 
 namespace raysteps {
 
+inline constexpr double unit_roundoff_of_float = 1.0 / 16777216.0;          // 2^-24
+inline constexpr double unit_roundoff_of_double = 1.0 / 9007199254740992.0; // 2^-53
+
 inline std::array<glm::vec3, 3> corners_of(int triangle, std::span<const glm::vec3> corners) {
     const std::size_t first = 3 * static_cast<std::size_t>(triangle);
     return {corners[first], corners[first + 1], corners[first + 2]};

@@ -15,7 +15,7 @@ double fact_of(const BuiltStructure& built, const std::string& name) {
     return 0.0;
 }
 
-Scene some_triangles(int seed) {
+Scene sphere_with_more_triangles(int seed) {
     RandomNumbers numbers(seed);
     return scene_of(join(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3), random_triangles(numbers, 200)));
 }
@@ -28,7 +28,7 @@ double volume_of(const Box& box) {
 } // namespace
 
 TEST_CASE("the cells of a structure are as many as its builder counts", "[replay][cells]") {
-    const Scene scene = some_triangles(71);
+    const Scene scene = sphere_with_more_triangles(71);
     for (const auto& [structure, fact] :
          {std::pair{"grid", "cells"}, {"kd_restart", "nodes"}, {"bvh_skip", "nodes"}}) {
         const Replayed replayed(scene, structure, 0.0f);
@@ -48,7 +48,7 @@ TEST_CASE("the cells of a structure are as many as its builder counts", "[replay
 }
 
 TEST_CASE("the costs of all cells together are the expected cost of the tree", "[replay][cells]") {
-    const Scene scene = some_triangles(72);
+    const Scene scene = sphere_with_more_triangles(72);
     const Replayed tree(scene, "kd_restart", 0.0f);
     const Replayed hierarchy(scene, "bvh_skip", 0.0f);
     for (const auto& [replayed, costs] :
@@ -65,7 +65,7 @@ TEST_CASE("the costs of all cells together are the expected cost of the tree", "
 
 TEST_CASE("the leaves of a kd-tree fill its box and inner nodes are parted at their planes",
           "[replay][cells]") {
-    const Replayed tree(some_triangles(73), "kd_restart", 0.0f);
+    const Replayed tree(sphere_with_more_triangles(73), "kd_restart", 0.0f);
     double leaves = 0.0;
     for (const Cell& cell : tree.cells.cells) {
         leaves += cell.leaf ? volume_of(cell.box) : 0.0;
@@ -80,7 +80,7 @@ TEST_CASE("the leaves of a kd-tree fill its box and inner nodes are parted at th
 }
 
 TEST_CASE("an inner node counts the triangles of all leaves below it", "[replay][cells]") {
-    const Replayed tree(some_triangles(74), "bvh_skip", 0.0f);
+    const Replayed tree(sphere_with_more_triangles(74), "bvh_skip", 0.0f);
     CHECK(tree.cells.cells.front().triangles == triangle_count(tree.scene));
     CHECK(tree.cells.cells.front().parent == no_cell);
 }

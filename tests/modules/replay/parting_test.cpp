@@ -6,7 +6,7 @@ using namespace raysteps;
 
 namespace {
 
-Scene some_triangles(int seed) {
+Scene loose_triangles(int seed) {
     RandomNumbers numbers(seed);
     return scene_of(random_triangles(numbers, 300));
 }
@@ -15,7 +15,7 @@ Scene some_triangles(int seed) {
 
 TEST_CASE("a walk never parts from itself", "[replay][parting]") {
     RandomNumbers numbers(91);
-    const Scene scene = some_triangles(91);
+    const Scene scene = loose_triangles(91);
     const std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 20);
     for (const std::string& structure : recorded_structures()) {
         const Replayed replayed(scene, structure, 10.0f);
@@ -29,7 +29,7 @@ TEST_CASE("a walk never parts from itself", "[replay][parting]") {
 TEST_CASE("a restart and a backtrack part where one begins at the root again",
           "[replay][parting]") {
     RandomNumbers numbers(92);
-    const Scene scene = some_triangles(92);
+    const Scene scene = loose_triangles(92);
     const Replayed restart(scene, "kd_restart", 10.0f);
     const Replayed backtrack(scene, "kd_backtrack", 10.0f);
     int parted = 0;

@@ -9,7 +9,7 @@ using namespace raysteps;
 
 namespace {
 
-Scene some_triangles(int seed) {
+Scene sphere_with_triangles(int seed) {
     RandomNumbers numbers(seed);
     return scene_of(join(sphere({0.0f, 0.0f, 0.0f}, 1.0f, 3), random_triangles(numbers, 150)));
 }
@@ -41,7 +41,7 @@ TEST_CASE("a recorded walk is what the GPU counts and finds for the same ray", "
     const int seed = 81;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = some_triangles(seed);
+    const Scene scene = sphere_with_triangles(seed);
     std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 300);
     for (const Ray& ray : random_rays(numbers, 200)) {
         rays.push_back(ray);
@@ -86,7 +86,7 @@ TEST_CASE("the steps of a walk explain its hit and where it goes", "[replay][wal
     const int seed = 82;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = some_triangles(seed);
+    const Scene scene = sphere_with_triangles(seed);
     std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 200);
     for (const auto& more :
          {random_rays(numbers, 200), axis_parallel_rays(numbers, scene.corners, 100),
@@ -153,7 +153,7 @@ TEST_CASE("a box that a BVH walk enters holds the ray as long as the step says",
     const int seed = 83;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
-    const Scene scene = some_triangles(seed);
+    const Scene scene = sphere_with_triangles(seed);
     const std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 200);
     for (const std::string structure : {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}) {
         CAPTURE(structure);

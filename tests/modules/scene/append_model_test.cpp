@@ -1,7 +1,7 @@
 #include "scene/append_model.h"
 
 #include "catch.h"
-#include "open_edges.h"
+#include "scene_tests.h"
 #include "scene/shapes.h"
 
 #include <glm/geometric.hpp>

@@ -57,10 +57,10 @@ TEST_CASE("an unknown name is refused with the nearest known one", "[scene]") {
 }
 
 TEST_CASE("a file of another kind is refused", "[scene]") {
-    const std::string path = std::string(RAYSTEPS_TEST_DIR) + "/CMakeLists.txt";
+    const std::string path = std::string(RAYSTEPS_SOURCE_DIR) + "/tests/CMakeLists.txt";
     REQUIRE(complaint_about(path) ==
             path + ": this is not a scene file. Give a file that ends in .obj or .toml.");
-    const std::string folder = RAYSTEPS_TEST_DIR;
+    const std::string folder = RAYSTEPS_SOURCE_DIR "/tests/modules/scene";
     REQUIRE(complaint_about(folder) ==
             folder + ": this is a folder. Give a file that ends in .obj or .toml.");
 }

@@ -1,7 +1,7 @@
 #include "scene/samples/sample_scenes.h"
 
 #include "catch.h"
-#include "open_edges.h"
+#include "scene_tests.h"
 #include "scene/load_scene.h"
 
 #include <glm/geometric.hpp>

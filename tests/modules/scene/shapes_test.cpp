@@ -1,8 +1,8 @@
 #include "scene/shapes.h"
 
 #include "catch.h"
-#include "open_edges.h"
 #include "scene/samples/samples.h"
+#include "scene_tests.h"
 
 #include <cmath>
 #include <numbers>

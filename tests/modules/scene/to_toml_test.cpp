@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "scene/load_scene.h"
 #include "scene/toml/toml_values.h"
+#include "scene_tests.h"
 
 #include <rapidcheck.h>
 
@@ -11,8 +12,6 @@
 using namespace raysteps;
 
 namespace {
-
-const std::filesystem::path folder = std::filesystem::path(RAYSTEPS_TEST_DIR) / "files";
 
 Scene read_back(const Scene& scene) {
     // Another place than where the models are: their paths are absolute.
@@ -139,21 +138,21 @@ TEST_CASE("the text of every sample scene reads back to the same scene", "[scene
 }
 
 TEST_CASE("the text of a bare model reads back to the same scene", "[scene][toml]") {
-    const Scene scene = load_scene((folder / "pyramid.obj").string(), 1.5f);
+    const Scene scene = load_scene((scene_files / "pyramid.obj").string(), 1.5f);
     REQUIRE(scene.name == "pyramid");
     REQUIRE(same_bits(read_back(scene), scene));
 }
 
 TEST_CASE("the path of a model is absolute so that the text may be saved anywhere",
           "[scene][toml]") {
-    const std::filesystem::path relative = std::filesystem::relative(folder / "pyramid.obj");
+    const std::filesystem::path relative = std::filesystem::relative(scene_files / "pyramid.obj");
     const Scene scene = load_scene(relative.string(), 1.5f);
     REQUIRE(std::filesystem::path(scene.models[0].path).is_absolute());
     REQUIRE(same_bits(read_back(scene), scene));
 }
 
 TEST_CASE("the text of a scene file's scene reads back to the same scene", "[scene][toml]") {
-    const Scene scene = load_scene((folder / "two_pyramids.toml").string(), 1.5f);
+    const Scene scene = load_scene((scene_files / "two_pyramids.toml").string(), 1.5f);
     REQUIRE(same_bits(read_back(scene), scene));
 }
 
@@ -169,7 +168,7 @@ TEST_CASE("every camera and light and color comes back bit for bit", "[scene][to
 
 TEST_CASE("every transform and name of a model comes back bit for bit", "[scene][toml]") {
     REQUIRE(rc::check([] {
-        Scene scene = load_scene((folder / "pyramid.obj").string(), 1.0f);
+        Scene scene = load_scene((scene_files / "pyramid.obj").string(), 1.0f);
         scene.name = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
         scene.models = {{scene.models[0].path, any_transform()},
                         {scene.models[0].path, any_transform()}};

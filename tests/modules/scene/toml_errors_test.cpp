@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "basics/error.h"
 #include "scene/load_scene.h"
+#include "scene_tests.h"
 
 #include <filesystem>
 #include <fstream>
@@ -9,17 +10,15 @@ using namespace raysteps;
 
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(RAYSTEPS_TEST_DIR) / "files";
-
 struct Fault {
     std::string text;
     std::string place; // line and column
     std::string words; // that the sentence has, the key among them
 };
 
-std::string complaint_about(const std::string& text) {
+std::string complaint_about_text(const std::string& text) {
     try {
-        read_toml_scene(text, folder / "scene.toml", 1.0f);
+        read_toml_scene(text, scene_files / "scene.toml", 1.0f);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -29,9 +28,9 @@ std::string complaint_about(const std::string& text) {
 void check(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) {
         CAPTURE(fault.text);
-        const std::string complaint = complaint_about(fault.text);
+        const std::string complaint = complaint_about_text(fault.text);
         CAPTURE(complaint);
-        const std::string place = (folder / "scene.toml").string() + ":" + fault.place + ": ";
+        const std::string place = (scene_files / "scene.toml").string() + ":" + fault.place + ": ";
         REQUIRE(complaint.starts_with(place));
         REQUIRE(complaint.find(fault.words) != std::string::npos);
         REQUIRE(complaint.ends_with("."));
@@ -149,21 +148,21 @@ TEST_CASE("transforms that flatten or overflow are refused", "[scene][toml]") {
 }
 
 TEST_CASE("a thin but not flat transform is taken", "[scene][toml]") {
-    REQUIRE(complaint_about(model + "scale = [1, 1e-9, 1]\n") == "none");
-    REQUIRE(complaint_about(model + "scale = 1e-12\n") == "none");
+    REQUIRE(complaint_about_text(model + "scale = [1, 1e-9, 1]\n") == "none");
+    REQUIRE(complaint_about_text(model + "scale = 1e-12\n") == "none");
 }
 
 TEST_CASE("a file that names no scene is refused", "[scene][toml]") {
     const std::string words = "the file names no scene";
-    REQUIRE(complaint_about("").find(words) != std::string::npos);
-    REQUIRE(complaint_about("background = [0, 0, 0]\n").find(words) != std::string::npos);
+    REQUIRE(complaint_about_text("").find(words) != std::string::npos);
+    REQUIRE(complaint_about_text("background = [0, 0, 0]\n").find(words) != std::string::npos);
 }
 
 TEST_CASE("a fault in a model is reported with the place in the model's file", "[scene][toml]") {
     const std::filesystem::path path =
         std::filesystem::path(RAYSTEPS_BINARY_DIR) / "broken_model.obj";
     std::ofstream(path) << "v 0 0 0\nv 1 0 0\nf 1 2 99999\n";
-    const std::string complaint = complaint_about("[[model]]\npath = '" + path.string() + "'\n");
+    const std::string complaint = complaint_about_text("[[model]]\npath = '" + path.string() + "'\n");
     REQUIRE(complaint.find("broken_model.obj:3") != std::string::npos);
 }
 
@@ -177,5 +176,5 @@ TEST_CASE("a scene file that is too large is not read", "[scene][toml]") {
 
 TEST_CASE("deeply nested text is refused instead of exhausting the stack", "[scene][toml]") {
     const std::string text = "sample = " + std::string(100'000, '[');
-    REQUIRE(complaint_about(text).find("scene.toml:1:") != std::string::npos);
+    REQUIRE(complaint_about_text(text).find("scene.toml:1:") != std::string::npos);
 }

@@ -1,7 +1,7 @@
 #include "scene/load_scene.h"
 
 #include "catch.h"
-#include "open_edges.h"
+#include "scene_tests.h"
 #include "scene/frame_scene.h"
 
 #include <glm/geometric.hpp>
@@ -13,10 +13,8 @@ using namespace raysteps;
 
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(RAYSTEPS_TEST_DIR) / "files";
-
 Scene read(const std::string& text) {
-    return read_toml_scene(text, folder / "scene.toml", 1.0f);
+    return read_toml_scene(text, scene_files / "scene.toml", 1.0f);
 }
 
 // Of a pyramid over the square from -1 to 1, of height 1.5.
@@ -34,7 +32,7 @@ std::string text_of_file(const std::filesystem::path& path) {
 } // namespace
 
 TEST_CASE("a scene file gives camera and lights and models", "[scene][toml]") {
-    const Scene scene = load_scene((folder / "two_pyramids.toml").string(), 1.0f);
+    const Scene scene = load_scene((scene_files / "two_pyramids.toml").string(), 1.0f);
     REQUIRE(scene.name == "two_pyramids");
     REQUIRE(triangle_count(scene) == 12);
     REQUIRE(scene.background == glm::vec3(0.1f, 0.2f, 0.3f));
@@ -59,13 +57,13 @@ TEST_CASE("a light is white where the file names no color", "[scene][toml]") {
 
 TEST_CASE("a file without camera and light gets them and says so", "[scene][toml]") {
     const Scene scene = read("[[model]]\npath = 'pyramid.obj'\n");
-    const Scene bare = load_scene((folder / "pyramid.obj").string(), 1.0f);
+    const Scene bare = load_scene((scene_files / "pyramid.obj").string(), 1.0f);
     REQUIRE(scene.camera.eye == bare.camera.eye);
     REQUIRE(scene.lights.size() == 2);
     REQUIRE(scene.lights[0].position == bare.lights[0].position);
     REQUIRE(scene.background == bare.background);
     REQUIRE(scene.corners == bare.corners);
-    const std::string path = (folder / "scene.toml").string();
+    const std::string path = (scene_files / "scene.toml").string();
     REQUIRE(scene.messages.size() >= 2);
     REQUIRE(scene.messages.back() == "No light in " + path + ": two were placed.");
 }

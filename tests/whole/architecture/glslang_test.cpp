@@ -42,9 +42,9 @@ TEST_CASE("glslang names the line of a part that is wrong", "[architecture][shad
     const ScratchFolder folder("architecture_glslang_fault");
     const ShaderText shader =
         read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
-                                        {"triangle", "exhibit/paper_as_printed.glsl"},
-                                        {"structure", "structure/every_triangle.glsl"},
-                                        {"observer", "observer/none.glsl"}});
+                                              {"triangle", "exhibit/paper_as_printed.glsl"},
+                                              {"structure", "structure/every_triangle.glsl"},
+                                              {"observer", "observer/none.glsl"}});
     CHECK_THAT(complaints(folder, shader, "frag"),
                contains_text("exhibit/paper_as_printed.glsl:30: 'a' : redefinition"));
 }

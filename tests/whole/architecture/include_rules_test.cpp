@@ -1,7 +1,5 @@
-#include "include_rules.h"
-
 #include "catch.h"
-#include "package_rules.h"
+#include "rules.h"
 #include "small_tree.h"
 #include "source_tree.h"
 
@@ -9,12 +7,11 @@
 
 TEST_CASE("an include of a module that USES does not name is found", "[architecture]") {
     const SmallTree tree("undeclared_use");
-    tree.write("common/scene/CMakeLists.txt", "add_module(scene USES geometry)\n");
+    tree.write("common/scene/CMakeLists.txt", "add_module(scene USES basics)\n");
     tree.write("common/basics/box.h", "#pragma once\n");
     tree.write("common/gpu/draw.h", "#pragma once\n");
-    tree.write(
-        "common/scene/scene.cpp",
-        "#include \"basics/box.h\"\n// #include \"gpu/draw.h\"\n#include \"gpu/draw.h\"\n");
+    tree.write("common/scene/scene.cpp",
+               "#include \"basics/box.h\"\n// #include \"gpu/draw.h\"\n#include \"gpu/draw.h\"\n");
     CHECK(join_lines(find_undeclared_uses(tree.root())) ==
           "common/scene/scene.cpp:3: scene includes gpu, but its add_module does not name it in "
           "USES.\n");
@@ -23,7 +20,7 @@ TEST_CASE("an include of a module that USES does not name is found", "[architect
 TEST_CASE("a use that no file includes is found", "[architecture]") {
     const SmallTree tree("dead_use");
     tree.write("common/scene/CMakeLists.txt",
-               "# USES gpu\nadd_module(scene\n  USES geometry gpu\n  PACKAGES glm::glm)\n");
+               "# USES gpu\nadd_module(scene\n  USES basics gpu\n  PACKAGES glm::glm)\n");
     tree.write("common/basics/box.h", "#pragma once\n");
     tree.write("common/gpu/draw.h", "#pragma once\n");
     tree.write("common/scene/scene.cpp", "#include \"basics/box.h\"\n");
@@ -44,9 +41,9 @@ TEST_CASE("an include against the arrow is found", "[architecture]") {
           "chapters/02_triangles/main.cpp:1: includes chapters/01_rays/rays.h: a chapter includes "
           "nothing of another.\n"
           "common/scene/scene.h:1: includes tests/catch.h: nothing includes tests/ but tests/ "
-          "itself.\n"
+          "itself and tests.\n"
           "common/scene/scene.h:2: includes shaders/core/ray.glsl: shaders are C++ only in "
-          "common/geometry and common/mirror.\n"
+          "common/basics, structure and mirror.\n"
           "common/scene/scene.h:3: \"vector\" is no file of ours. Name packages as <...>.\n");
 }
 
@@ -58,9 +55,28 @@ TEST_CASE("a package outside of its place is found", "[architecture]") {
           "common/render/pass.cpp:2: <glad/gl.h> is for common/gpu/gl.h to include.\n");
 }
 
+TEST_CASE("a use that the table of modules does not allow is found", "[architecture]") {
+    const SmallTree tree("module_table");
+    tree.write("docs/architecture.md", "| module | what it is | may include |\n"
+                                       "| common/scene | scenes | basics, image; never gpu |\n"
+                                       "| common/lost | gone | nothing |\n"
+                                       "| chapters | compose | common |\n");
+    tree.write("common/scene/CMakeLists.txt", "add_module(scene USES basics gpu)\n");
+    tree.write("common/new/CMakeLists.txt", "add_module(new)\n");
+    CHECK(join_lines(find_uses_beyond_the_table(tree.root())) ==
+          "docs/architecture.md: the table of modules has no row common/new.\n"
+          "common/scene/CMakeLists.txt: USES names gpu, which the table of docs/architecture.md "
+          "does not allow.\n"
+          "docs/architecture.md: there is no common/lost.\n");
+}
+
 TEST_CASE("every module includes only what its USES names", "[architecture]") {
     REQUIRE(list_targets(RAYSTEPS_SOURCE_DIR, "common").size() >= 11);
     CHECK(find_undeclared_uses(RAYSTEPS_SOURCE_DIR) == no_faults);
+}
+
+TEST_CASE("every module links only what the table of modules allows", "[architecture]") {
+    CHECK(find_uses_beyond_the_table(RAYSTEPS_SOURCE_DIR) == no_faults);
 }
 
 TEST_CASE("every module includes all that its USES names", "[architecture]") {

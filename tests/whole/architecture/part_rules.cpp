@@ -1,4 +1,4 @@
-#include "part_rules.h"
+#include "rules.h"
 
 #include "source_tree.h"
 
@@ -18,8 +18,8 @@ struct PartRule {
 
 const std::vector<PartRule>& part_rules() {
     // The folders that the mirror compiles as C++.
-    static const std::vector<std::string> mirrored{"layout", "geometry", "structure", "observer",
-                                                   "shading"};
+    static const std::vector<std::string> mirrored{"core", "triangle", "structure", "observer",
+                                                   "light"};
     static const std::vector<PartRule> rules{
         {std::regex(R"(\blayout\s*\()"), "layout(...) is for passes.", {}},
         {std::regex(R"(\bgl_)"), "gl_* is for passes.", {}},
@@ -29,7 +29,7 @@ const std::vector<PartRule>& part_rules() {
         {std::regex(R"(\bdiscard\b)"), "discard is for passes: a part is pure.", {}},
         {std::regex(R"(\.(?:[xyzw]{2,4}|[rgba]{2,4}|[stpq]{2,4})\b)"),
          "a swizzle is no C++. Write vec3(v), or name the components one by one.", mirrored},
-        {std::regex(R"(#\s*include\b)"), "a layout includes nothing.", {"layout"}},
+        {std::regex(R"(#\s*include\b)"), "a part of core includes nothing.", {"core"}},
     };
     return rules;
 }

@@ -1,26 +1,24 @@
-#include "part_rules.h"
-
 #include "catch.h"
+#include "rules.h"
 #include "small_tree.h"
 #include "source_tree.h"
 
 TEST_CASE("what breaks the contract of parts is found", "[architecture]") {
     const SmallTree tree("parts");
     tree.write("shaders/core/ray.glsl", "#include \"core/hit.glsl\"\n// gl_FragCoord.xy\n");
-    tree.write("shaders/geometry/a.glsl",
-               "layout (location = 0) vec4 a;\nfloat b = gl_FragCoord.x;\n"
-               "void c(inout float d);\ninline float e();\n"
-               "#version 410 core\nvec3 f = g.xyz;\nfloat h = g.x;\n");
+    tree.write("shaders/light/a.glsl", "layout (location = 0) vec4 a;\nfloat b = gl_FragCoord.x;\n"
+                                       "void c(inout float d);\ninline float e();\n"
+                                       "#version 410 core\nvec3 f = g.xyz;\nfloat h = g.x;\n");
     tree.write("shaders/view/b.glsl", "vec2 a = b.xy;\n");
     CHECK(join_lines(find_faults_of_parts(tree.root())) ==
-          "shaders/geometry/a.glsl:1: layout(...) is for passes.\n"
-          "shaders/geometry/a.glsl:2: gl_* is for passes.\n"
-          "shaders/geometry/a.glsl:3: no output parameters: return a struct.\n"
-          "shaders/geometry/a.glsl:4: `inline` is no GLSL.\n"
-          "shaders/geometry/a.glsl:5: #version is for passes.\n"
-          "shaders/geometry/a.glsl:6: a swizzle is no C++. Write vec3(v), or name the components "
-          "one by one.\n"
-          "shaders/core/ray.glsl:1: a layout includes nothing.\n");
+          "shaders/core/ray.glsl:1: a part of core includes nothing.\n"
+          "shaders/light/a.glsl:1: layout(...) is for passes.\n"
+          "shaders/light/a.glsl:2: gl_* is for passes.\n"
+          "shaders/light/a.glsl:3: no output parameters: return a struct.\n"
+          "shaders/light/a.glsl:4: `inline` is no GLSL.\n"
+          "shaders/light/a.glsl:5: #version is for passes.\n"
+          "shaders/light/a.glsl:6: a swizzle is no C++. Write vec3(v), or name the components "
+          "one by one.\n");
 }
 
 TEST_CASE("a pass without its version is found", "[architecture]") {

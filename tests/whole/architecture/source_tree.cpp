@@ -86,6 +86,19 @@ std::vector<Include> includes_of(const fs::path& file) {
     return includes;
 }
 
+std::string find_included(const fs::path& root, const std::string& from, const std::string& name) {
+    const std::string beside = fs::path(from).parent_path().generic_string();
+    for (const std::string& folder :
+         {beside, std::string("common"), std::string("shaders"), std::string("tests"),
+          std::string("chapters"), std::string("scripts/course/answers"), std::string()}) {
+        const fs::path path = (fs::path(folder) / name).lexically_normal();
+        if (fs::is_regular_file(root / path)) {
+            return path.generic_string();
+        }
+    }
+    return "";
+}
+
 std::vector<std::string> words_of_call(const fs::path& file, const std::string& command,
                                        const std::string& keyword) {
     const std::string text = text_without_cmake_comments(file);

@@ -7,6 +7,10 @@
 // The files of a source tree as text: what the rules of the architecture are checked on. Paths are
 // relative to the tree's root, with slashes.
 
+inline const std::vector<std::string> cpp_folders{"common", "chapters", "visualizer", "scripts",
+                                                  "tests"};
+inline const std::vector<std::string> cpp_endings{".h", ".cpp", ".inc"};
+
 // The regular files in the folders, sorted; with a name that ends in one of the endings, or all
 // where none is given.
 std::vector<std::string> list_files(const std::filesystem::path& root,
@@ -27,6 +31,11 @@ struct Include {
 };
 
 std::vector<Include> includes_of(const std::filesystem::path& file);
+
+// The file that an include names, from the root: beside the file itself, or in one of the folders
+// that the compiler is told. Empty where the file is none of ours.
+std::string find_included(const std::filesystem::path& root, const std::string& from,
+                          const std::string& name);
 
 // The words that stand after a keyword in the first call of a command in a CMake file, up to the
 // next word in capitals. Empty where there is no such call or keyword.

@@ -5,10 +5,14 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <vector>
 
 namespace raysteps {
+
+inline const std::filesystem::path scene_files =
+    std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "tests/modules/scene/files";
 
 // How many edges of triangles have no partner: the same edge of another triangle, run through in
 // the opposite direction, with corners of the same bits (-0 counts as 0). A closed mesh has none.
