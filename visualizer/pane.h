@@ -34,7 +34,7 @@ using Say = std::function<void(const std::string&)>;
 struct PaneSource {
     const Scene& scene;
     const mirror::SceneBuffers& buffers;
-    float reach;                                            // of the rays (structure/reach.h)
+    float reach;                                            // of the rays (structure/padding.h)
     const std::map<std::string, std::string>& build_values; // for all builders that have them
     const FamilyValues& hard_values;                        // that a hard case needs
 };

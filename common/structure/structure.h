@@ -58,9 +58,9 @@ inline BuiltStructure every_triangle(int triangle_count) {
     return loop;
 }
 
-// A structure that one builder makes for several walks. The family `kd` serves the parts
-// structure/kd_*.glsl (and structure/kd.glsl). Throws InputError where a value of the request makes
-// no sense, or where the memory would be too much.
+// A structure that one builder makes for several walks. The family `kd` serves the walks
+// kd_*.glsl of shaders/structure/kd_tree (and would serve kd.glsl). Throws InputError where a value
+// of the request makes no sense, or where the memory would be too much.
 struct StructureFamily {
     std::string name;
     std::vector<BuildOption> options;
@@ -68,8 +68,8 @@ struct StructureFamily {
         build; // three corners a triangle
 };
 
-// All families there are: each file family_NAME.cpp of this folder defines one, and CMake writes
-// the list. So a chapter adds a structure by adding files.
+// All families there are: each file family_NAME.cpp of this folder and its subfolders defines one,
+// and CMake writes the list. So a new builder needs no entry anywhere.
 std::vector<StructureFamily> list_families();
 
 // The family that serves the structure of that name. Throws InputError where none does.

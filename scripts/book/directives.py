@@ -1,6 +1,6 @@
 """What a page asks for in a comment, which code hosts do not show:
 
-    <!-- code: shaders/structure/grid/grid.glsl first_axis -->     that function's text
+    <!-- code: shaders/structure/grid/grid_cells.glsl first_axis -->  that function's text
     <!-- output: 04_grid --scene bunny --measure -->              what that command prints
     <!-- walk: grid -->                                           a figure to turn and step
     <!-- list: exercises -->                                      exercises, or sources

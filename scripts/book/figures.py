@@ -14,7 +14,6 @@ from .errors import BookError
 
 TABLE = "docs/book/figures.toml"
 SECONDS = 1800  # that one program may take
-SHADERS = ("shaders", "common/course_shaders")
 
 
 def program_path(build, name):
@@ -23,8 +22,7 @@ def program_path(build, name):
 
 
 def _newest(root):
-    files = [path for folder in SHADERS for path in (root / folder).rglob("*") if path.is_file()]
-    return max(path.stat().st_mtime for path in files)
+    return max(path.stat().st_mtime for path in (root / "shaders").rglob("*") if path.is_file())
 
 
 def _run(build, root, command, more=()):

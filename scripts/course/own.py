@@ -63,7 +63,7 @@ def _text_for_compiler(exercise, own):
 
 
 def named_as_the_person_knows(message, exercise, own):
-    """`geometry/box.glsl:12:` becomes the line of the person's file."""
+    """`triangle/pluecker.glsl:12:` becomes the line of the person's file."""
     short = exercise.file.removeprefix("shaders/")
 
     def name(match):

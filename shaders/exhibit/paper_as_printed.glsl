@@ -1,5 +1,5 @@
 // The paper's listing, letter by letter but for the names of the types. No compiler takes it: see
-// chapter 02, and the parts triangle_paper_*.glsl for what each repair does.
+// chapter 02, and the parts triangle/paper_*.glsl for what each repair does.
 // Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010,
 // section 2.2.
 #define float3 vec3

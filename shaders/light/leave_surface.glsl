@@ -6,8 +6,8 @@
 // most that), so to within 21 e M along a unit normal. The triangle test of the new ray sees
 // differences of numbers up to 2M, and weighs three of them: 9 roundings more, 18 e M in each
 // coordinate, 31 e M along the normal. 64 e M is over the sum of both for rays that do not graze;
-// for those that do, tests/03_shading counts. A neighbour is covered where its coordinates are no
-// larger: a small triangle that lies on a much larger one, in its plane, can still see it.
+// for those that do, tests/chapters/03_shading counts. A neighbour is covered where its coordinates
+// are no larger: a small triangle that lies on a much larger one, in its plane, can still see it.
 // Source of the idea: Pharr, Jakob and Humphreys, "Physically Based Rendering", 3rd ed., 2016,
 // section 3.9.
 

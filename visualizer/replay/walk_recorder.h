@@ -32,7 +32,8 @@ struct RecorderInput {
     const PackedStructure& packed;
 };
 
-// The recorder of structure/NAME.glsl. Throws InputError, with the names, where there is none.
+// The recorder of the walk NAME.glsl of shaders/structure. Throws InputError, with the names, where
+// there is none.
 WalkRecorder make_recorder(const std::string& structure, const RecorderInput& input);
 
 // The names that make_recorder knows, sorted.

@@ -82,8 +82,7 @@ struct KdMeasures {
 // The tree is that of build_kd_tree; of the options, only the costs matter.
 KdMeasures measure_kd_tree(const KdTree& tree, const KdOptions& options);
 
-// The tree under the names and in the form of shaders/structure/kd_tree/kd_nodes.glsl, kd_boxes.glsl and
-// kd_ropes.glsl.
+// The tree under the names and in the form of shaders/structure/kd_tree/kd_nodes.glsl.
 PackedStructure pack(const KdTree& tree);
 
 } // namespace raysteps
