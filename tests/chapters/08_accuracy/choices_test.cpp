@@ -119,7 +119,7 @@ TEST_CASE("directions are right to a few ulp either way", "[08][primary]") {
         trial.run();
         const Findings findings = trial.examine();
         CHECK(findings.error->largest > 0.0);
-        CHECK(findings.error->largest < 64.0); // tests/01_rays derives bounds; this is no garbage
+        CHECK(findings.error->largest < 64.0); // chapter 01 tests the derived bounds
     }
 }
 
