@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hard_cases/hard_case.h"
 #include "gpu_methods.h"
+#include "hard_cases/hard_case.h"
 
 #include <filesystem>
 #include <functional>
@@ -59,8 +59,8 @@ struct FuzzResult {
     std::optional<FuzzFault> fault; // shrunk
 };
 
-// Awkward and garbage scenes of one seed after another (hard_cases/hard_cases.h), until the time is up
-// or a fault is found.
+// Awkward and garbage scenes of one seed after another (hard_cases/hard_cases.h), until the time is
+// up or a fault is found.
 FuzzResult fuzz(const FuzzRequest& request);
 
 // Writes the fault's mesh as an OBJ file and its rays as a .csv file of that folder, with all

@@ -1,8 +1,8 @@
 #include "gpu/live_mask.h"
 
-#include "gpu/gl.h"
 #include "gpu/draw.h"
 #include "gpu/framebuffer.h"
+#include "gpu/gl.h"
 
 #include <string>
 #include <utility>

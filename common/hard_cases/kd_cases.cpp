@@ -1,6 +1,6 @@
-#include "hard_cases/meshes.h"
-#include "hard_cases/case_lists.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/case_lists.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 #include "structure/kd_tree/build_kd_tree.h"
 

@@ -22,9 +22,11 @@ WhittedRenderer::WhittedRenderer(const Scene& scene, SceneTextures textures,
     : lights_(scene.lights), background_(scene.background), scene_(std::move(textures)),
       trace_(trace_parts, limits), start_weights_("pass/light/start_weights.frag"),
       add_surroundings_("pass/light/add_surroundings.frag"),
-      cast_shadow_rays_("pass/light/cast_shadow_rays.frag"), add_light_("pass/light/add_light.frag"),
-      reflect_("pass/light/reflect.frag"), select_misses_("pass/select/select_misses.frag"),
-      select_unmirrored_("pass/select/select_unmirrored.frag"), select_all_("pass/select/select_all.frag") {
+      cast_shadow_rays_("pass/light/cast_shadow_rays.frag"),
+      add_light_("pass/light/add_light.frag"), reflect_("pass/light/reflect.frag"),
+      select_misses_("pass/select/select_misses.frag"),
+      select_unmirrored_("pass/select/select_unmirrored.frag"),
+      select_all_("pass/select/select_all.frag") {
     for (Program* program : {&add_surroundings_, &cast_shadow_rays_, &add_light_, &reflect_,
                              &select_misses_, &select_unmirrored_}) {
         set_surfaces(*program, scene_);

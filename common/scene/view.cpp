@@ -1,6 +1,5 @@
 #include "scene/view.h"
 
-
 #include <glm/trigonometric.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "reference/embree/embree.h"
 
-#include "reference/embree/there/embree_calls.h"
 #include "basics/error.h"
+#include "reference/embree/there/embree_calls.h"
 
 #include <vector>
 
