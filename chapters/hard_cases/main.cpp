@@ -17,7 +17,7 @@ namespace {
 // What the program is to do.
 struct TrialRequest {
     std::string name; // of one case; empty for all
-    int rays = 0; // 0: the usual number
+    int rays = 0;     // 0: the usual number
     bool is_long = false;
     double fuzz_seconds = 0.0;
     int seed = 1;

@@ -25,11 +25,10 @@ struct NamedPath {
     PathOf path;
 };
 
-const std::vector<std::pair<std::string, ContextKind>> contexts{
-    {"auto", ContextKind::automatic},
-    {"osmesa", ContextKind::osmesa},
-    {"egl", ContextKind::egl},
-    {"window", ContextKind::window}};
+const std::vector<std::pair<std::string, ContextKind>> contexts{{"auto", ContextKind::automatic},
+                                                                {"osmesa", ContextKind::osmesa},
+                                                                {"egl", ContextKind::egl},
+                                                                {"window", ContextKind::window}};
 
 int fail(const std::string& program, ExitCode code, const std::string& sentence) {
     std::cout.flush();
@@ -84,8 +83,7 @@ std::size_t find_choice(const std::string& option, const std::string& word,
                         const std::vector<std::string>& choices) {
     const auto known = std::find(choices.begin(), choices.end(), word);
     if (known == choices.end()) {
-        throw InputError(
-            no_such_choice(option, word, "choice", {choices.begin(), choices.end()}));
+        throw InputError(no_such_choice(option, word, "choice", {choices.begin(), choices.end()}));
     }
     return static_cast<std::size_t>(known - choices.begin());
 }
@@ -135,8 +133,8 @@ const std::string& Options::program() const {
     return parser_->program;
 }
 
-void Options::value(const std::string& name, const std::string& initial,
-                    const std::string& meaning, std::function<void(const std::string&)> take) {
+void Options::value(const std::string& name, const std::string& initial, const std::string& meaning,
+                    std::function<void(const std::string&)> take) {
     std::string& text = parser_->texts.emplace_back();
     CLI::Option* const option = parser_->app.add_option(name, text, meaning);
     option->default_str(initial);
@@ -170,10 +168,9 @@ void Options::number(const std::string& name, int& value, const std::string& mea
 
 void Options::number(const std::string& name, float& value, const std::string& meaning,
                      float lowest, float highest) {
-    this->value(name, fmt::format("{}", value), meaning,
-                [=, &value](const std::string& text) {
-                    value = number_in(name, text, meaning, lowest, highest);
-                });
+    this->value(name, fmt::format("{}", value), meaning, [=, &value](const std::string& text) {
+        value = number_in(name, text, meaning, lowest, highest);
+    });
 }
 
 void Options::number(const std::string& name, double& value, const std::string& meaning,

@@ -31,12 +31,11 @@ const std::vector<OptionRow<BvhOptions>>& rows() {
                       "most levels below the root, or as many as halving the triangles takes"),
         number_option("memory-limit", &BvhOptions::memory_limit, 1, 1 << 20,
                       "most memory for the tree, in MiB", 1 << 20),
-        choice_option("insertion-order", &BvhOptions::insertion_order,
-                      {{"shuffled", InsertionOrder::shuffled},
-                       {"as_given", InsertionOrder::as_given}},
-                      "shuffled or as_given, for --split insertion"),
-        number_option("seed", &BvhOptions::seed, 0, 1 << 30,
-                      "seed of the random insertion order")};
+        choice_option(
+            "insertion-order", &BvhOptions::insertion_order,
+            {{"shuffled", InsertionOrder::shuffled}, {"as_given", InsertionOrder::as_given}},
+            "shuffled or as_given, for --split insertion"),
+        number_option("seed", &BvhOptions::seed, 0, 1 << 30, "seed of the random insertion order")};
     return all;
 }
 

@@ -95,8 +95,8 @@ TEST_CASE("a context is one of four names", "[command]") {
     CHECK(parse_context("egl") == ContextKind::egl);
     CHECK(parse_context("window") == ContextKind::window);
     for (const std::string text : {"", "EGL", "eg", "glx"}) {
-        CHECK(error_of([&] { parse_context(text); }) ==
-              "--context " + text +
-                  ": there is no such choice. Take one of auto, osmesa, egl, window.");
+        const std::string sentence = error_of([&] { parse_context(text); });
+        CHECK_THAT(sentence, starts_with_text("--context " + text + ": there is no such choice."));
+        CHECK_THAT(sentence, contains_text(" Take one of auto, osmesa, egl, window."));
     }
 }
