@@ -1,8 +1,8 @@
 #pragma once
 
+#include "basics/statistics.h"
 #include "gpu/limits.h"
 #include "image/image.h"
-#include "measure/statistics.h"
 
 #include <cstddef>
 #include <functional>
