@@ -11,6 +11,8 @@
 #include "scene/mesh.h"
 #include "scene/shapes.h"
 
+#include <fmt/core.h>
+
 #include <iostream>
 
 namespace raysteps {
@@ -69,11 +71,9 @@ Row show_row(const Scene& scene, const Limits& limits, const std::string& size) 
         const double wrong = percent_wrong(read_hits(hits), expected);
         images.push_back(
             show_hits(rays, hits, textures, scene.camera, scene.background, "view/normals.glsl"));
-        char text[128];
-        std::snprintf(text, sizeof text, "%s (%s), %s: %.3g %% of pixels wrong",
-                      exhibit.triangle.c_str(), exhibit.caption.c_str(), size.c_str(), wrong);
-        captions.emplace_back(text);
-        std::cout << text << "\n" << std::flush;
+        captions.push_back(fmt::format("{} ({}), {}: {:.3g} % of pixels wrong", exhibit.triangle,
+                                       exhibit.caption, size, wrong));
+        std::cout << captions.back() << "\n" << std::flush;
         numbers.push_back(
             {{"triangle", exhibit.triangle}, {"size", size}, {"percent_wrong", wrong}});
     }

@@ -1,14 +1,15 @@
 #include "structure/grid/build_grid.h"
 
 #include "basics/error.h"
-#include "structure/padding.h"
 #include "basics/threads.h"
 #include "structure/grid/grid_overlap.h"
+#include "structure/padding.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 #include <string>
@@ -111,7 +112,8 @@ void check_memory(std::int64_t cells, std::int64_t references, const GridOptions
     const std::string numbers = "a grid of " + std::to_string(cells) + " cells and " +
                                 std::to_string(references) + " references or more";
     if (cells >= most_numbers || references > most_numbers) {
-        throw InputError(numbers + " is too large for 32-bit indices. Take a smaller " + coarser + ".");
+        throw InputError(numbers + " is too large for 32-bit indices. Take a smaller " + coarser +
+                         ".");
     }
     if (bytes_each * (cells + 1 + references) > options.memory_limit) {
         throw InputError(numbers + " takes over " +
@@ -121,11 +123,8 @@ void check_memory(std::int64_t cells, std::int64_t references, const GridOptions
 }
 
 std::string mebibytes(std::int64_t numbers) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f MiB",
-                  static_cast<double>(bytes_each * numbers) /
-                      static_cast<double>(bytes_in_mebibyte));
-    return text;
+    return fmt::format("{:.1f} MiB", static_cast<double>(bytes_each * numbers) /
+                                         static_cast<double>(bytes_in_mebibyte));
 }
 
 // The most references that there is room for beside the cells.

@@ -5,6 +5,8 @@
 #include "program/window/screen.h"
 #include "scene/camera_text.h"
 
+#include <fmt/core.h>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -15,7 +17,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace raysteps {
@@ -298,14 +299,12 @@ void Viewer::take(Frame frame) {
 
 // The size and the time of the last full picture.
 void Viewer::write_title() {
-    std::ostringstream title;
-    title << "Raysteps: " << screenshot_.filename().string();
+    std::string title = "Raysteps: " + screenshot_.filename().string();
     if (frame_.coarseness == 1) {
-        title << ", " << frame_.sight.width << " x " << frame_.sight.height << ", "
-              << std::lround(1000.0 * frame_.seconds) << " ms";
+        title += fmt::format(", {} x {}, {} ms", frame_.sight.width, frame_.sight.height,
+                             std::lround(1000.0 * frame_.seconds));
     }
-    title << " (H shows the keys)";
-    glfwSetWindowTitle(window_, title.str().c_str());
+    glfwSetWindowTitle(window_, (title + " (H shows the keys)").c_str());
 }
 
 } // namespace
