@@ -6,6 +6,7 @@
 #include "state_fields.h"
 #include "visualizer/replay/sentence.h"
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -102,7 +103,7 @@ void check(const State& state) {
 
 // More digits than a picture can show would only make the page slow.
 double six_digits(float value) {
-    return std::strtod(formatted("%.6g", static_cast<double>(value)).c_str(), nullptr);
+    return std::strtod(fmt::format("{:.6g}", static_cast<double>(value)).c_str(), nullptr);
 }
 
 Json point(const glm::vec3& place) {

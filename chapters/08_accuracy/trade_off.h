@@ -2,7 +2,7 @@
 
 #include "gpu/limits.h"
 #include "image/image.h"
-#include "measure/statistics.h"
+#include "basics/statistics.h"
 
 #include <cstddef>
 #include <functional>

@@ -2,6 +2,8 @@
 
 #include "basics/text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace raysteps {
@@ -84,7 +86,7 @@ std::string short_number(double value) {
     if (value >= 3.4e38) {
         return "infinity";
     }
-    return formatted("%.4g", value);
+    return fmt::format("{:.4g}", value);
 }
 
 std::string count_of(std::size_t count, const std::string& thing) {

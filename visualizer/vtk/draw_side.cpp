@@ -7,6 +7,8 @@
 #include "visualizer/color_scale.h"
 #include "visualizer/replay/sentence.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -172,7 +174,7 @@ std::string levels_text(const Stage& stage, const State& state,
 
 // With few enough digits not to run into the next column.
 std::string narrow_number(double value) {
-    return formatted(value > 0.0 && value < 0.001 ? "%.1e" : "%.3g", value);
+    return value > 0.0 && value < 0.001 ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
 void write_row(vtkRenderer& renderer, const Area& table, int row,

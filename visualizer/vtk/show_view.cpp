@@ -9,6 +9,7 @@
 #include "visualizer/pointing.h"
 #include "window.h"
 
+#include <fmt/core.h>
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
@@ -287,7 +288,7 @@ void animate(Drawing& drawing, vtkRenderWindow& window, const Request& request,
     const int steps = step_count(stage, state);
     for (state.step = 0; state.step < steps; ++state.step) {
         drawing.draw(stage, state);
-        write_screenshot(window, request.animation / formatted("step_%04d.png", state.step + 1));
+        write_screenshot(window, request.animation / fmt::format("step_{:04d}.png", state.step + 1));
     }
     std::cout << "wrote     " << steps << " pictures to " << request.animation.string() << "\n";
 }
