@@ -16,9 +16,9 @@ using namespace raysteps;
 namespace {
 
 int run(const std::string& arguments, const ScratchFolder& folder) {
-    const std::string command = std::string("'") + PROGRAM_08_ACCURACY + "' " + arguments + " --out '" +
-                                (folder / "").string() + "' >'" + (folder / "log").string() +
-                                "' 2>&1";
+    const std::string command = std::string("'") + PROGRAM_08_ACCURACY + "' " + arguments +
+                                " --out '" + (folder / "").string() + "' >'" +
+                                (folder / "log").string() + "' 2>&1";
     const int status = std::system(command.c_str()); // NOLINT(cert-env33-c): the words are ours
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
@@ -102,10 +102,10 @@ TEST_CASE("the pictures of a report are files that its numbers name", "[08][prog
 
 TEST_CASE("without Python the report says what is missing and keeps its numbers", "[08][program]") {
     const ScratchFolder folder("accuracy_no_python");
-    const std::string command = "PATH=/nowhere '" PROGRAM "' --trade-offs slab --rounds 1 "
-                                "--context osmesa --out '" +
-                                (folder / "").string() + "' >'" + (folder / "log").string() +
-                                "' 2>&1";
+    const std::string command =
+        "PATH=/nowhere '" PROGRAM_08_ACCURACY "' --trade-offs slab --rounds 1 "
+        "--context osmesa --out '" +
+        (folder / "").string() + "' >'" + (folder / "log").string() + "' 2>&1";
     const int status = std::system(command.c_str()); // NOLINT(cert-env33-c): the words are ours
     CHECK(WEXITSTATUS(status) == 3);
     CHECK_THAT(bytes_of(folder / "log"), contains_text("accuracy.html: python3 is missing"));
