@@ -188,10 +188,10 @@ Numbers rate_numbers(const FaultRate& rate) {
 // A method over all families.
 Numbers method_numbers(const MethodSummary& method, bool dominated) {
     Numbers numbers{{"method", method.method},
-                 {"nanoseconds", method.cost.median},
-                 {"lowest", method.cost.lowest},
-                 {"highest", method.cost.highest},
-                 {"dominated", dominated}};
+                    {"nanoseconds", method.cost.median},
+                    {"lowest", method.cost.lowest},
+                    {"highest", method.cost.highest},
+                    {"dominated", dominated}};
     if (method.faults) {
         numbers["faults"] = rate_numbers(*method.faults);
     }
@@ -203,9 +203,9 @@ Numbers method_numbers(const MethodSummary& method, bool dominated) {
 
 Numbers measurement_numbers(const Measurement& one) {
     Numbers numbers{{"method", one.method},           {"family", one.family},
-                 {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
-                 {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
-                 {"faults", empty_list()},        {"measures", empty_object()}};
+                    {"timed_cases", one.timed_cases}, {"nanoseconds", one.cost.median},
+                    {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
+                    {"faults", empty_list()},         {"measures", empty_object()}};
     for (const Fault& fault : one.findings.faults) {
         const FaultRate rate = fault_rate(fault.count, fault.of);
         numbers["faults"].push_back({{"name", fault.name},
@@ -228,14 +228,14 @@ Numbers measurement_numbers(const Measurement& one) {
 
 Numbers result_numbers(const TradeOffResult& result) {
     Numbers numbers{{"trade_off", result.name},
-                 {"question", result.question},
-                 {"source", result.source},
-                 {"kind", to_word(result.kind)},
-                 {"unit_of_cases", result.unit_of_cases},
-                 {"unit_of_error", result.unit_of_error},
-                 {"methods", empty_list()},
-                 {"measurements", empty_list()},
-                 {"pictures", empty_list()}};
+                    {"question", result.question},
+                    {"source", result.source},
+                    {"kind", to_word(result.kind)},
+                    {"unit_of_cases", result.unit_of_cases},
+                    {"unit_of_error", result.unit_of_error},
+                    {"methods", empty_list()},
+                    {"measurements", empty_list()},
+                    {"pictures", empty_list()}};
     const std::vector<MethodSummary> summaries = summarize_methods(result);
     for (const MethodSummary& method : summaries) {
         numbers["methods"].push_back(method_numbers(method, is_dominated(method, summaries)));
@@ -253,10 +253,10 @@ Numbers result_numbers(const TradeOffResult& result) {
 // For programs, and for scripts/accuracy_page.
 Numbers to_numbers(const AccuracyReport& report) {
     Numbers numbers{{"scene", report.scene},
-                 {"circumstances", empty_object()},
-                 {"scene_needs", report.scene_needs},
-                 {"advice", empty_list()},
-                 {"trade_offs", empty_list()}};
+                    {"circumstances", empty_object()},
+                    {"scene_needs", report.scene_needs},
+                    {"advice", empty_list()},
+                    {"trade_offs", empty_list()}};
     for (const auto& [name, value] : report.circumstances) {
         numbers["circumstances"][name] = value;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "basics/statistics.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
-#include "basics/statistics.h"
 #include "reference/embree/embree.h"
 #include "render/scene_textures.h"
 #include "render/trace_rays.h"
