@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 
+#include <algorithm>
 #include <set>
 
 namespace raysteps {
@@ -30,14 +31,28 @@ StructureFamily family_of(const std::string& structure) {
 }
 
 std::map<std::string, BuildOption> all_build_options() {
+    // Families that say the same of an option are named together: "bvh, half_bvh: ... (32)".
+    std::map<std::string, std::vector<std::pair<std::string, std::string>>> families_of_meaning;
     std::map<std::string, BuildOption> merged;
     for (const StructureFamily& family : list_families()) {
         for (const BuildOption& option : family.options) {
-            auto [place, is_new] = merged.try_emplace(option.name, option);
-            std::string& meaning = place->second.meaning;
-            const std::string own =
-                family.name + ": " + option.meaning + " (" + option.initial + ")";
-            meaning = is_new ? own : meaning + "; " + own;
+            merged.try_emplace(option.name, option);
+            const std::string meaning = option.meaning + " (" + option.initial + ")";
+            auto& known = families_of_meaning[option.name];
+            const auto same = std::find_if(known.begin(), known.end(), [&](const auto& pair) {
+                return pair.second == meaning;
+            });
+            if (same == known.end()) {
+                known.emplace_back(family.name, meaning);
+            } else {
+                same->first += ", " + family.name;
+            }
+        }
+    }
+    for (auto& [name, option] : merged) {
+        option.meaning.clear();
+        for (const auto& [families, meaning] : families_of_meaning[name]) {
+            option.meaning += (option.meaning.empty() ? "" : "; ") + families + ": " + meaning;
         }
     }
     return merged;

@@ -7,7 +7,7 @@ from support import ROOT
 from book.contents import page_names
 
 PAGES = sorted(name.replace(".md", ".html") for name in page_names(ROOT).values())
-OTHERS = ["source/shaders/geometry/grid_walk.glsl.html", "api/index.html", "api/annotated.html"]
+OTHERS = ["source/shaders/structure/grid/grid.glsl.html", "api/index.html", "api/annotated.html"]
 WIDE = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
 # What is wider than the screen and lies in nothing that scrolls by itself: for the message.
 WIDEST = """
