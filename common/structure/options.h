@@ -10,8 +10,8 @@
 
 namespace raysteps {
 
-// One option of a builder: --NAME sets a member of the builder's struct of options. What --help calls
-// the default is the value in the struct itself.
+// One option of a builder: --NAME sets a member of the builder's struct of options. What --help
+// calls the default is the value in the struct itself.
 template <class Options>
 struct OptionRow {
     std::string name;
@@ -34,9 +34,8 @@ OptionRow<Options> number_option(const std::string& name, Number Options::*membe
     const auto set = [=](Options& options, const std::string& text) {
         const std::optional<Number> number = parse_number<Number>(text);
         if (!number || !(*number >= lowest && *number <= highest)) { // NaN is out of range too
-            throw InputError("--" + name + " " + text + ": " + meaning +
-                             ". Give a number from " + written(lowest) + " to " +
-                             written(highest) + ".");
+            throw InputError("--" + name + " " + text + ": " + meaning + ". Give a number from " +
+                             written(lowest) + " to " + written(highest) + ".");
         }
         options.*member = *number * unit;
     };

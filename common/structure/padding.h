@@ -24,8 +24,8 @@ double padding_for(double reach);
 // of the box, or what is asked for, whichever is more.
 double usual_reach(const Box& bounds, double asked);
 
-// Throws InputError that names the first triangle with a corner that is NaN, infinite or farther out
-// than the greatest coordinate that a structure can bear.
+// Throws InputError that names the first triangle with a corner that is NaN, infinite or farther
+// out than the greatest coordinate that a structure can bear.
 void check_corners(std::span<const glm::vec3> corners, float greatest);
 
 // The box with its sides moved outwards by the padding and then to the next number outside, so that

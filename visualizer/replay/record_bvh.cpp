@@ -6,8 +6,9 @@ namespace raysteps {
 
 namespace {
 
-// A node of a BVH lies once in each octant's order (shaders/structure/bvh/bvh_nodes.glsl). This finds its place
-// in octant 0, for places asked in the order in which a walk comes to them: parents first.
+// A node of a BVH lies once in each octant's order (shaders/structure/bvh/bvh_nodes.glsl). This
+// finds its place in octant 0, for places asked in the order in which a walk comes to them: parents
+// first.
 class OctantPlaces {
 public:
     // Must not outlive the structure.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mirror/walks.h"
 #include "basics/threads.h"
+#include "mirror/walks.h"
 #include "walk_recorder.h"
 
 #include <limits>

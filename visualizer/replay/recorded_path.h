@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mirror/mirror_scene.h"
-#include "walk_recorder.h"
 #include "scene/scene.h"
+#include "walk_recorder.h"
 
 #include <string>
 #include <vector>

@@ -20,8 +20,8 @@ struct ShaderLine {
 ShaderLine deciding_line(const RecordedWalk& walk, std::size_t step);
 
 // The line with one of the words in the file shaders/structure/**/NAME.glsl or in one that it
-// includes: the first words that stand there. Throws MachineError where none do, or where they stand
-// twice in a file.
+// includes: the first words that stand there. Throws MachineError where none do, or where they
+// stand twice in a file.
 ShaderLine find_line(const std::string& structure, const std::vector<std::string>& words);
 
 } // namespace raysteps

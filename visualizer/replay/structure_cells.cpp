@@ -1,8 +1,8 @@
 #include "structure_cells.h"
 
 #include "mirror/walks.h"
-#include "structure/grid/grid.h"
 #include "structure/bvh/bvh_split.h"
+#include "structure/grid/grid.h"
 
 #include <algorithm>
 #include <bit>

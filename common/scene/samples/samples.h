@@ -20,7 +20,7 @@ inline Material matte(const std::string& name, const glm::vec3& diffuse) {
 
 // A surface that also mirrors, with the specular colour (illumination model 3).
 inline Material mirror_material(const std::string& name, const glm::vec3& diffuse,
-                       const glm::vec3& specular) {
+                                const glm::vec3& specular) {
     Material material = matte(name, diffuse);
     material.specular = specular;
     material.shininess = 200.0f;

@@ -115,7 +115,8 @@ PartedBounds part(std::span<BvhItem> items, const BvhCut& cut) {
     };
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(cut.lower_count),
                      items.end(), comes_first);
-    return {range_bounds(items.first(cut.lower_count)), range_bounds(items.subspan(cut.lower_count))};
+    return {range_bounds(items.first(cut.lower_count)),
+            range_bounds(items.subspan(cut.lower_count))};
 }
 
 // Grows until only buds of fewer items than `fewest` are left.

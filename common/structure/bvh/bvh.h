@@ -59,8 +59,8 @@ struct BvhOptions {
     int bins = 32;          // along each axis, from 2 to 256
     int leaf_triangles = 7; // no leaf has more
     int depth_limit = 64;   // no leaf is deeper, unless it takes more to halve so many triangles
-    // A node costs twice as much as a triangle test: it is two fetches from memory, and rays that go
-    // side by side wait for each other at it (`./run.sh 06 --measure` shows what the costs do).
+    // A node costs twice as much as a triangle test: it is two fetches from memory, and rays that
+    // go side by side wait for each other at it (`./run.sh 06 --measure` shows what the costs do).
     double traversal_cost = 3.0;
     double intersection_cost = 1.5;
     double reach = 0.0;                                // see usual_reach in structure/padding.h
@@ -95,10 +95,10 @@ struct BvhMeasures {
 BvhMeasures measure_bvh(const Bvh& bvh, const BvhOptions& options);
 
 // The tree over the triangles with these corners, three a triangle, in the form of
-// shaders/structure/bvh/bvh_nodes.glsl: its nodes once for each octant of directions, and the triangles once
-// more in the order of the leaves. That is 256 + 4 bytes a node and 48 a triangle, in time linear
-// in both. Throws InputError where the tree has more than 2^26 nodes: the place of one must fit
-// into an integer beside the number of an axis.
+// shaders/structure/bvh/bvh_nodes.glsl: its nodes once for each octant of directions, and the
+// triangles once more in the order of the leaves. That is 256 + 4 bytes a node and 48 a triangle,
+// in time linear in both. Throws InputError where the tree has more than 2^26 nodes: the place of
+// one must fit into an integer beside the number of an axis.
 PackedStructure pack(const Bvh& bvh, std::span<const glm::vec3> corners);
 
 // What the arrays of a packed structure take.
@@ -118,8 +118,8 @@ float half_plane(const HalfFrame& frame, int axis, int bits);
 int half_below(const HalfFrame& frame, int axis, float value);
 int half_above(const HalfFrame& frame, int axis, float value);
 
-// A packed BVH (structure/bvh/bvh.h) in the form of shaders/structure/bvh/half_bvh.glsl: boxes in half
-// precision, rounded outwards, for one order of the nodes. 16 bytes a node.
+// A packed BVH (structure/bvh/bvh.h) in the form of shaders/structure/bvh/half_bvh.glsl: boxes in
+// half precision, rounded outwards, for one order of the nodes. 16 bytes a node.
 PackedStructure with_half_boxes(const PackedStructure& bvh);
 
 } // namespace raysteps

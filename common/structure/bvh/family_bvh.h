@@ -12,7 +12,7 @@ StructureFamily family_bvh();
 BvhOptions bvh_options_of(const BuildRequest& request);
 
 // What is to be known of a tree, of its packed form, and of the seconds that building took.
-std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options,
-                           const PackedStructure& packed, double seconds);
+std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options, const PackedStructure& packed,
+                           double seconds);
 
 } // namespace raysteps

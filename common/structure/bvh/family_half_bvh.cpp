@@ -3,7 +3,8 @@
 
 namespace raysteps {
 
-// Serves structure/bvh/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer bits.
+// Serves structure/bvh/half_bvh.glsl: the tree of the family `bvh`, with its options, in fewer
+// bits.
 StructureFamily family_half_bvh() {
     const StructureFamily whole = family_bvh();
     return {"half_bvh", whole.options,

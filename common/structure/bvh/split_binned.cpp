@@ -1,6 +1,5 @@
 #include "structure/bvh/bvh_split.h"
 
-
 #include <algorithm>
 #include <array>
 #include <cstdint>

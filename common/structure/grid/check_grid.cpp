@@ -1,7 +1,7 @@
 #include "structure/grid/check_grid.h"
 
-#include "structure/grid/grid.h"
 #include "structure/grid/build_grid.h"
+#include "structure/grid/grid.h"
 
 #include <algorithm>
 #include <array>

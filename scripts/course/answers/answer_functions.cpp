@@ -1,8 +1,8 @@
 #include "answer_functions.h"
 
 #include "basics/error.h"
-#include "measure/cosine_direction.h"
 #include "basics/statistics.h"
+#include "measure/cosine_direction.h"
 
 #include <glm/geometric.hpp>
 

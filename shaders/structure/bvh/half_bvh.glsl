@@ -3,11 +3,11 @@
 // Wyvill, "Memory-Conserving Bounding Volume Hierarchies with Coherent Raytracing", 2006.
 //
 // A bounding volume hierarchy with boxes of half precision: half as long as those of
-// structure/bvh/bvh_nodes.glsl, one texel of four integers a node. Six halves tell where the box begins and
-// ends, as shares of the whole scene's box, from 0 to 1, rounded outwards: x has the lower planes
-// of x and y, y that of z and the upper one of x, z the upper ones of y and z, the first in the low
-// 16 bits. w of an inner node is the node behind its whole branch; that of a leaf is -1 - its first
-// triangle, and the next node stands behind it.
+// structure/bvh/bvh_nodes.glsl, one texel of four integers a node. Six halves tell where the box
+// begins and ends, as shares of the whole scene's box, from 0 to 1, rounded outwards: x has the
+// lower planes of x and y, y that of z and the upper one of x, z the upper ones of y and z, the
+// first in the low 16 bits. w of an inner node is the node behind its whole branch; that of a leaf
+// is -1 - its first triangle, and the next node stands behind it.
 //
 // A half has 1 sign, 5 digits of exponent and 10 of mantissa. There are no negative ones here, and
 // none that is denormal, so its bits are those of a float, shifted.
@@ -17,7 +17,7 @@
 #include "structure/bvh/bvh_choose_planes.glsl"
 
 uniform isamplerBuffer half_nodes;
-uniform vec3 half_lower;              // the box of the whole scene, and its size
+uniform vec3 half_lower; // the box of the whole scene, and its size
 uniform vec3 half_size;
 
 // 112 is the difference of the biases of both exponents.

@@ -1,7 +1,7 @@
-// A uniform grid, walked cell by cell as the ray meets them. Every triangle of every cell on the way
-// is tested: one that lies in several of them, several times. Source: Amanatides and Woo, "A Fast
-// Voxel Traversal Algorithm for Ray Tracing", 1987, but with each crossing computed from the index
-// of its plane.
+// A uniform grid, walked cell by cell as the ray meets them. Every triangle of every cell on the
+// way is tested: one that lies in several of them, several times. Source: Amanatides and Woo, "A
+// Fast Voxel Traversal Algorithm for Ray Tracing", 1987, but with each crossing computed from the
+// index of its plane.
 //
 // Within a cell, the ray's t lies between the crossings of its planes on every axis: so it is at
 // the start, and so it stays, since each step crosses the plane that comes first. A hit at t has
