@@ -3,9 +3,9 @@
 #include "gpu/context.h"
 #include "gpu/shaders.h"
 #include "render/trace_rays.h"
-#include "structure/structure.h"
-#include "structure/padding.h"
 #include "scene_of.h"
+#include "structure/padding.h"
+#include "structure/structure.h"
 
 #include <string>
 #include <vector>

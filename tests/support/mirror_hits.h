@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mirror/walks.h"
 #include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 
 #include <vector>
 

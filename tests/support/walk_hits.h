@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mirror/walks.h"
-#include "mirror/mirror_scene.h"
 #include "compare_hits.h"
+#include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 
 #include <span>
 #include <vector>

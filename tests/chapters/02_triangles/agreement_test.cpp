@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "reference/exact.h"
 #include "support/compare_hits.h"
 #include "support/gpu_hits.h"
@@ -31,9 +31,9 @@ TEST_CASE("the GPU and the mirror give the same bits", "[02][agreement]") {
     CHECK(count_hits(watertight) > 1000);
     CHECK(count_different(watertight,
                           mirror_hits<mirror::walks::every_triangle<float>>(scene, rays)) == 0);
-    CHECK(count_different(gpu_hits(scene, rays, "moeller_trumbore"),
-                          mirror_hits<mirror::triangle_tests::moeller_trumbore<float>>(scene, rays)) ==
-          0);
+    CHECK(count_different(
+              gpu_hits(scene, rays, "moeller_trumbore"),
+              mirror_hits<mirror::triangle_tests::moeller_trumbore<float>>(scene, rays)) == 0);
 }
 
 TEST_CASE("the GPU hits the triangles that exact arithmetic hits", "[02][reference]") {

@@ -1,6 +1,6 @@
+#include "basics/random_numbers.h"
 #include "catch.h"
 #include "mirror/walks.h"
-#include "basics/random_numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "catch.h"
-#include "support/compare_hits.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "scene/load_scene.h"
 #include "scene/shapes.h"
+#include "support/compare_hits.h"
 #include "support/expected_picture.h"
 #include "support/gpu_hits.h"
 

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 #include "support/gpu_hits.h"
 #include "support/mirror_hits.h"

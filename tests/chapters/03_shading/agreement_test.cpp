@@ -55,7 +55,8 @@ TEST_CASE("the wavefront paints what the recursive reference paints", "[03][refe
         // In float a ray is off by about 2^-20 of its length, more after each mirror; a thousandth
         // of a pixel is many times that. Where so small a move changes the colour, an edge or a
         // shadow's border passes.
-        const std::vector<double> sensitivity = whitted_sensitivity(plain, side, side, limits, 1e-3);
+        const std::vector<double> sensitivity =
+            whitted_sensitivity(plain, side, side, limits, 1e-3);
         std::size_t excused = 0;
         double worst = 0.0;
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {

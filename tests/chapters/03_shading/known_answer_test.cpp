@@ -137,8 +137,8 @@ TEST_CASE("each kind of ray is counted and dead pixels ask for none", "[03][coun
         empty_scene(),
         quad({-9.0f, -9.0f, 0.0f}, {0.0f, -9.0f, 0.0f}, {0.0f, 9.0f, 0.0f}, {-9.0f, 9.0f, 0.0f}),
         mirror_of(glm::vec3(1.0f)));
-    WhittedRenderer renderer(scene, upload(scene),
-                             {{"triangle", "triangle/watertight.glsl"}}, measure_limits());
+    WhittedRenderer renderer(scene, upload(scene), {{"triangle", "triangle/watertight.glsl"}},
+                             measure_limits());
     renderer.render(scene.camera, 16, 16, 4);
     CHECK(renderer.ray_counts().camera == 256);
     CHECK(renderer.ray_counts().shadow == 128);

@@ -1,8 +1,8 @@
 #include "catch.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "mirror/walks.h"
+#include "hard_cases/meshes.h"
 #include "mirror/mirror_scene.h"
+#include "mirror/walks.h"
 #include "scene/shapes.h"
 #include "support/mirror_hits.h"
 

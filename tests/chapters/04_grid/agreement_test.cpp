@@ -142,7 +142,8 @@ TEST_CASE("the mailbox tests fewer triangles and visits the same cells", "[04][m
     const mirror::SceneBuffers buffers(scene);
     const PackedStructure packed = pack(grid);
     auto walk = mirror::mirror_of<mirror::walks::grid<float, mirror::Counter>>(buffers, packed);
-    auto mailbox = mirror::mirror_of<mirror::walks::grid_mailbox<float, mirror::Counter>>(buffers, packed);
+    auto mailbox =
+        mirror::mirror_of<mirror::walks::grid_mailbox<float, mirror::Counter>>(buffers, packed);
     for (const Ray& ray : rays) {
         walk.closest_hit(mirror::to_mirror<decltype(walk)>(ray));
         mailbox.closest_hit(mirror::to_mirror<decltype(mailbox)>(ray));

@@ -1,11 +1,11 @@
 #include "catch.h"
 #include "grid_hits.h"
-#include "structure/grid/grid.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 #include "structure/grid/build_grid.h"
 #include "structure/grid/check_grid.h"
+#include "structure/grid/grid.h"
 #include "support/error_of.h"
 
 #include <chrono>

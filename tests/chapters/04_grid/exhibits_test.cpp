@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "structure/grid/grid.h"
 #include "grid_hits.h"
+#include "structure/grid/grid.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,9 +1,9 @@
 #include "catch.h"
-#include "structure/grid/grid.h"
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
-#include "structure/kd_tree/kd_split.h"
+#include "hard_cases/meshes.h"
+#include "structure/grid/grid.h"
 #include "structure/grid/grid_overlap.h"
+#include "structure/kd_tree/kd_split.h"
 
 #include <set>
 

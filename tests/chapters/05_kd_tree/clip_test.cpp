@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "basics/random_numbers.h"
+#include "catch.h"
 #include "structure/kd_tree/kd_split.h"
 
 using namespace raysteps;

@@ -73,11 +73,14 @@ TEST_CASE("all walks test the same triangles in the same order", "[05][order]") 
         const KdTree tree = build_kd_tree(scene.corners, options);
         const mirror::SceneBuffers buffers(scene);
         const PackedStructure packed = pack(tree);
-        const auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
-        const auto backtrack = mirror::mirror_of<mirror::walks::kd_backtrack<float, Trail>>(buffers, packed);
+        const auto restart =
+            mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
+        const auto backtrack =
+            mirror::mirror_of<mirror::walks::kd_backtrack<float, Trail>>(buffers, packed);
         const auto short_stack =
             mirror::mirror_of<mirror::walks::kd_short_stack<float, Trail>>(buffers, packed);
-        const auto ropes = mirror::mirror_of<mirror::walks::kd_ropes<float, Trail>>(buffers, packed);
+        const auto ropes =
+            mirror::mirror_of<mirror::walks::kd_ropes<float, Trail>>(buffers, packed);
         std::vector<RayFamily> families = ray_families(numbers, scene.corners, 200);
         for (RayFamily& family : tree_families(numbers, tree, scene.corners, 200)) {
             families.push_back(std::move(family));
@@ -124,7 +127,8 @@ TEST_CASE("a walk comes to each leaf along the ray once and to no other", "[05][
     std::size_t different = 0;
     std::size_t leaves = 0;
     for (const Ray& ray : rays) {
-        const auto restart = mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
+        const auto restart =
+            mirror::mirror_of<mirror::walks::kd_restart<float, Trail>>(buffers, packed);
         const std::vector<int> expected = leaves_along(tree, ray);
         leaves += expected.size();
         const std::vector<int> entered = record_of(restart, tree, ray).leaves;

@@ -2,9 +2,9 @@
 
 #include "hard_cases/meshes.h"
 #include "structure/bvh/build_bvh.h"
+#include "structure/bvh/bvh.h"
 #include "structure/bvh/bvh_split.h"
 #include "structure/bvh/check_bvh.h"
-#include "structure/bvh/bvh.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "build_trees.h"
 #include "catch.h"
 #include "hard_cases/aimed_rays.h"
-#include "support/error_of.h"
 #include "mirror/trace_by_mirror.h"
+#include "support/error_of.h"
 
 #include <algorithm>
 #include <limits>

@@ -12,9 +12,10 @@ namespace {
 
 // Runs the program in the folder. True where it ends well.
 bool run_in(const ScratchFolder& folder, const std::string& options) {
-    const std::string line = "cd '" + (folder / "").string() +
-                             "' && env -u DISPLAY -u WAYLAND_DISPLAY timeout 90 '" PROGRAM_07_COMPARE "' " +
-                             options + " >output 2>errors </dev/null";
+    const std::string line =
+        "cd '" + (folder / "").string() +
+        "' && env -u DISPLAY -u WAYLAND_DISPLAY timeout 90 '" PROGRAM_07_COMPARE "' " + options +
+        " >output 2>errors </dev/null";
     return std::system(line.c_str()) == 0; // NOLINT(cert-env33-c): every word is ours
 }
 

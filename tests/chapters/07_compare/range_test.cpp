@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "basics/statistics.h"
+#include "catch.h"
 
 using namespace raysteps;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/effects/effects_renderer.h"
 #include "gpu/context.h"
+#include "render/effects/effects_renderer.h"
 #include "scene/load_scene.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
@@ -24,10 +24,10 @@ inline EffectPicture effect_picture(const Scene& scene, int side, const std::str
     EffectPicture picture;
     picture.plan = make_plan(scene, 1.0, choice, quality);
     const BuiltStructure structure = family_of("bvh_ordered").build(scene.corners, {});
-    EffectsRenderer renderer(scene, upload(scene, structure), picture.plan,
-                             {{"triangle", "triangle/watertight.glsl"},
-                              {"structure", "structure/bvh/bvh_ordered.glsl"}},
-                             measure_limits());
+    EffectsRenderer renderer(
+        scene, upload(scene, structure), picture.plan,
+        {{"triangle", "triangle/watertight.glsl"}, {"structure", "structure/bvh/bvh_ordered.glsl"}},
+        measure_limits());
     picture.image = renderer.render(scene.camera, side, side);
     picture.tally = renderer.tally();
     return picture;

@@ -1,8 +1,8 @@
+#include "basics/random_numbers.h"
 #include "catch.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
 #include "reference/whitted.h"
-#include "basics/random_numbers.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

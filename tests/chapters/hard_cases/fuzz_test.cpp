@@ -1,11 +1,11 @@
 #include "catch.h"
 #include "gpu/context.h"
-#include "hard_cases/hard_cases.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/fuzz.h"
+#include "hard_cases/hard_cases.h"
 #include "scene/load_scene.h"
 #include "scene/ray_file.h"
 #include "support/scratch_folder.h"
-#include "hard_cases/fuzz.h"
 
 #include <algorithm>
 #include <limits>

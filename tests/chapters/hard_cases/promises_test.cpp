@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "gpu/shaders.h"
-#include "mirror/trace_by_mirror.h"
 #include "hard_cases/trials.h"
+#include "mirror/trace_by_mirror.h"
 
 #include <set>
 

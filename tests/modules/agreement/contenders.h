@@ -3,8 +3,8 @@
 #include "gpu/shaders.h"
 #include "render/trace_rays.h"
 #include "scene/scene.h"
-#include "structure/structure.h"
 #include "structure/padding.h"
+#include "structure/structure.h"
 
 #include <map>
 #include <span>

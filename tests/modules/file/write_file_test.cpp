@@ -3,7 +3,6 @@
 #include "support/error_of.h"
 #include "support/scratch_folder.h"
 
-
 #include "catch.h"
 
 #include <sys/resource.h>

@@ -16,7 +16,8 @@ class Surroundings {
 public:
     Surroundings()
         : hits_(hit_texels(width, height, [](int, int) { return -1; })),
-          weights_(TexelFormat::rgba32f, width, height), program_("pass/light/add_surroundings.frag") {
+          weights_(TexelFormat::rgba32f, width, height),
+          program_("pass/light/add_surroundings.frag") {
         write_texels(weights_, std::vector<glm::vec4>(pixel_count, glm::vec4(1.0f)));
         program_.set("hits", hits_)
             .set("weights", weights_)

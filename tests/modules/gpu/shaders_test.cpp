@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "gpu/context.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
@@ -86,8 +86,8 @@ TEST_CASE("the compiler of this machine names the line of the part that is wrong
     const auto context = make_context(ContextKind::automatic);
     const std::string sentence = sentence_of([] {
         Program("pass/trace/trace.frag", {{"triangle", "exhibit/paper_as_printed.glsl"},
-                                    {"structure", "structure/every_triangle.glsl"},
-                                    {"observer", "observer/none.glsl"}});
+                                          {"structure", "structure/every_triangle.glsl"},
+                                          {"observer", "observer/none.glsl"}});
     });
     CAPTURE(sentence);
     CHECK_THAT(sentence, starts_with_text("The shader pass/trace/trace.frag does not compile"));

@@ -14,7 +14,8 @@ using namespace raysteps;
 namespace {
 
 // 16 x 8 pixels: the left half (200, 40, 40), the right half (30, 60, 180); ImageMagick made them.
-const std::filesystem::path files = std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "tests/modules/image/files";
+const std::filesystem::path files =
+    std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "tests/modules/image/files";
 const glm::vec3 left(200, 40, 40);
 const glm::vec3 right(30, 60, 180);
 

@@ -3,7 +3,6 @@
 #include "count_ink.h"
 #include "support/error_of.h"
 
-
 #include "catch.h"
 
 #include <vector>

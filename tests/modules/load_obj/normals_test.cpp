@@ -1,8 +1,8 @@
 #include "first_fault.h"
 #include "model_folder.h"
 
-#include "scene/obj/load_obj.h"
 #include "scene/mesh.h"
+#include "scene/obj/load_obj.h"
 
 #include "catch.h"
 

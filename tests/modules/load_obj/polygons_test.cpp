@@ -1,7 +1,7 @@
 #include "model_folder.h"
 
-#include "scene/obj/load_obj.h"
 #include "scene/mesh.h"
+#include "scene/obj/load_obj.h"
 #include "scene/obj/polygon.h"
 
 #include "catch.h"

@@ -66,8 +66,9 @@ TEST_CASE("double agrees with exact arithmetic wherever rounding does not reach 
             leaks += found == no_triangle ? 1 : 0;
             false_hits += expected == no_triangle ? 1 : 0;
             other_triangles += found != no_triangle && expected != no_triangle ? 1 : 0;
-            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff_of_double) ||
-                                 is_too_close_to_call(ray, found, corners, unit_roundoff_of_double);
+            const bool excused =
+                is_too_close_to_call(ray, expected, corners, unit_roundoff_of_double) ||
+                is_too_close_to_call(ray, found, corners, unit_roundoff_of_double);
             REQUIRE(excused);
         }
     }

@@ -46,8 +46,9 @@ TEST_CASE("Embree agrees with exact arithmetic wherever its rounding does not re
         if (found.triangle != expected) {
             ++different;
             leaks += found.triangle == no_triangle ? 1 : 0;
-            const bool excused = is_too_close_to_call(ray, expected, corners, unit_roundoff_of_float) ||
-                                 is_too_close_to_call(ray, found.triangle, corners, unit_roundoff_of_float);
+            const bool excused =
+                is_too_close_to_call(ray, expected, corners, unit_roundoff_of_float) ||
+                is_too_close_to_call(ray, found.triangle, corners, unit_roundoff_of_float);
             REQUIRE(excused);
         }
     }

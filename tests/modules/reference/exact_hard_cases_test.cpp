@@ -32,7 +32,7 @@ TEST_CASE("a tiny triangle is hit as a large one is", "[reference][exact][T5]") 
 TEST_CASE("the largest floats do not overflow", "[reference][exact]") {
     const float large = std::numeric_limits<float>::max();
     const Triangle huge{glm::vec3(-large, -large, 0), glm::vec3(large, -large, 0),
-                       glm::vec3(0, large, 0)};
+                        glm::vec3(0, large, 0)};
     const Ray ray{{0, 0, large}, {0, 0, -large}, 0.0f, infinity};
     const ExactIntersection answer = exact_intersection(ray, huge);
     CHECK(answer.hit);

@@ -60,12 +60,14 @@ TEST_CASE("only pixels beside an edge are sensitive to where their ray goes",
     const glm::vec3 start = side * (pixel / 1024.0f);
     add_triangle(scene, {start - 50.0f * along, start + 50.0f * along, 90.0f * side}, {0, 0, 1},
                  shining_material(glm::vec3(0.0f)));
-    const std::vector<double> sensitivity = whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 256.0);
+    const std::vector<double> sensitivity =
+        whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 256.0);
     for (int i = 0; i < 17 * 17; ++i) {
         const int across = side.x != 0.0f ? i % 17 : i / 17;
         REQUIRE(sensitivity[static_cast<std::size_t>(i)] == (across == 8 ? 1.0 : 0.0));
     }
-    for (const double change : whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 4096.0)) {
+    for (const double change :
+         whitted_sensitivity(scene, 17, 17, {.max_bounces = 0}, 1.0 / 4096.0)) {
         REQUIRE(change == 0.0);
     }
 }

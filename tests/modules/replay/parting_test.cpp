@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "visualizer/replay/parting.h"
 #include "replayed.h"
+#include "visualizer/replay/parting.h"
 
 using namespace raysteps;
 

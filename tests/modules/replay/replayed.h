@@ -1,15 +1,15 @@
 #pragma once
 
-#include "hard_cases/meshes.h"
 #include "hard_cases/aimed_rays.h"
+#include "hard_cases/meshes.h"
+#include "scene/mesh.h"
+#include "scene/shapes.h"
+#include "structure/padding.h"
+#include "structure/structure.h"
+#include "support/gpu_hits.h"
 #include "visualizer/replay/recorded_path.h"
 #include "visualizer/replay/structure_cells.h"
 #include "visualizer/replay/walk_recorder.h"
-#include "scene/mesh.h"
-#include "scene/shapes.h"
-#include "structure/structure.h"
-#include "structure/padding.h"
-#include "support/gpu_hits.h"
 
 #include <map>
 #include <memory>

@@ -173,8 +173,8 @@ TEST_CASE("a box that a BVH walk enters holds the ray as long as the step says",
                     const glm::dvec3 point =
                         glm::dvec3(ray.origin) + static_cast<double>(t) * glm::dvec3(ray.direction);
                     for (int axis = 0; axis < 3; ++axis) {
-                        // A plane's t is rounded three times (structure/bvh/box_ray.glsl): 3 e M, and
-                        // M is under 8 here.
+                        // A plane's t is rounded three times (structure/bvh/box_ray.glsl): 3 e M,
+                        // and M is under 8 here.
                         const double room = 3.0 * 0x1p-24 * 8.0;
                         outside += point[axis] < static_cast<double>(box.lower[axis]) - room ||
                                    point[axis] > static_cast<double>(box.upper[axis]) + room;

@@ -1,8 +1,8 @@
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
+#include "replayed.h"
 #include "visualizer/replay/sentence.h"
 #include "visualizer/replay/shader_line.h"
-#include "replayed.h"
 
 using namespace raysteps;
 
@@ -22,7 +22,8 @@ TEST_CASE("the line that decides a step is found for every step of every walk", 
         std::size_t in_words_of_its_own = 0;
         for (const Ray& ray : rays) {
             const RecordedWalk walk = replayed.recorder.record(ray, Question::nearest);
-            for (std::size_t i = 0; i < std::min<std::size_t>(walk.steps.size(), 40); ++i, ++steps) {
+            for (std::size_t i = 0; i < std::min<std::size_t>(walk.steps.size(), 40);
+                 ++i, ++steps) {
                 const ShaderLine line = deciding_line(walk, i);
                 in_words_of_its_own += line.text.starts_with("observe_visit(") ? 1 : 0;
             }

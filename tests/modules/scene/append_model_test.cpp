@@ -1,8 +1,8 @@
 #include "scene/append_model.h"
 
 #include "catch.h"
-#include "scene_tests.h"
 #include "scene/shapes.h"
+#include "scene_tests.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

@@ -1,7 +1,7 @@
 #include "scene/frame_scene.h"
 
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "scene/shapes.h"
 #include "scene/view.h"
 

@@ -1,8 +1,8 @@
 #include "scene/samples/sample_scenes.h"
 
 #include "catch.h"
-#include "scene_tests.h"
 #include "scene/load_scene.h"
+#include "scene_tests.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "scene/load_scene.h"
 #include "scene_tests.h"
 
@@ -162,7 +162,8 @@ TEST_CASE("a fault in a model is reported with the place in the model's file", "
     const std::filesystem::path path =
         std::filesystem::path(RAYSTEPS_BINARY_DIR) / "broken_model.obj";
     std::ofstream(path) << "v 0 0 0\nv 1 0 0\nf 1 2 99999\n";
-    const std::string complaint = complaint_about_text("[[model]]\npath = '" + path.string() + "'\n");
+    const std::string complaint =
+        complaint_about_text("[[model]]\npath = '" + path.string() + "'\n");
     REQUIRE(complaint.find("broken_model.obj:3") != std::string::npos);
 }
 

@@ -1,8 +1,8 @@
 #include "scene/load_scene.h"
 
 #include "catch.h"
-#include "scene_tests.h"
 #include "scene/frame_scene.h"
+#include "scene_tests.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // Ends with 0 if the context of the given kind is an OpenGL 4.1 core context or a later one.
-#include "program/options.h"
 #include "basics/error.h"
 #include "gpu/context.h"
 #include "gpu/gl.h"
+#include "program/options.h"
 
 #include <cstdio>
 

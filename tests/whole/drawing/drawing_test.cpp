@@ -68,8 +68,8 @@ constexpr double most_different = 0.016;
 
 void check_picture(const State& state, const std::string& name) {
     const Image image = picture_shown(state);
-    const std::filesystem::path expected =
-        std::filesystem::path(RAYSTEPS_SOURCE_DIR) / "tests/whole/drawing/expected" / (name + ".png");
+    const std::filesystem::path expected = std::filesystem::path(RAYSTEPS_SOURCE_DIR) /
+                                           "tests/whole/drawing/expected" / (name + ".png");
     const std::filesystem::path made =
         std::filesystem::path(RAYSTEPS_BINARY_DIR) / "pictures" / ("view_" + name + ".png");
     write_png(made, image);

@@ -14,8 +14,8 @@
 
 using namespace raysteps;
 
-// The walk RECIPE_WALK is the file that the recipe of docs/book/add_a_structure.md makes, and nothing
-// else was changed.
+// The walk RECIPE_WALK is the file that the recipe of docs/book/add_a_structure.md makes, and
+// nothing else was changed.
 
 namespace {
 
@@ -34,19 +34,20 @@ TEST_CASE("a copied walk is in the catalogue, the mirror and the replay", "[reci
     CHECK(family_of(walk_name).name == family_of(RECIPE_COPIED).name);
 }
 
-TEST_CASE("a copied walk finds the bits of the loop on the GPU, as C++ and in the replay", "[recipe]") {
+TEST_CASE("a copied walk finds the bits of the loop on the GPU, as C++ and in the replay",
+          "[recipe]") {
     const int seed = 3;
     CAPTURE(seed);
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 200));
     const std::vector<Ray> rays = rays_at_edges(numbers, scene.corners, 2000);
     const mirror::SceneBuffers buffers(scene);
-    const std::vector<Hit> expected =
-        mirror_triangle_tests().at("watertight")(buffers, {}, rays);
+    const std::vector<Hit> expected = mirror_triangle_tests().at("watertight")(buffers, {}, rays);
     CHECK(count_hits(expected) > 1000);
     const BuiltStructure built =
         family_of(walk_name).build(scene.corners, {reach_of(rays, scene.corners), {}});
-    CHECK(count_different(mirror_walks().at(walk_name)(buffers, built.packed, rays), expected) == 0);
+    CHECK(count_different(mirror_walks().at(walk_name)(buffers, built.packed, rays), expected) ==
+          0);
     const auto context = make_context(ContextKind::automatic);
     CHECK(count_different(gpu_hits_of(scene, rays, walk_name), expected) == 0);
 

@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "basics/error.h"
+#include "catch.h"
 #include "program/show.h"
 
 using namespace raysteps;
