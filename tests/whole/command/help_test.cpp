@@ -11,7 +11,8 @@ void check_help(const std::string& chapter, const std::vector<std::string>& opti
         CHECK(outcome.exit_code == 0);
         CHECK(outcome.errors.empty());
         for (const std::string& option : options) {
-            CHECK_THAT(outcome.output, contains_text("  " + option + " "));
+            CHECK_THAT(outcome.output,
+                       contains_text("  " + option + " ") || contains_text("  " + option + ","));
         }
     }
     CHECK(workplace.list_files().empty());
