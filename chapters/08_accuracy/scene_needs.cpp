@@ -122,7 +122,7 @@ std::vector<std::string> to_sentences(const SceneNeeds& needs) {
         needs.digits_left < digits_enough
             ? fmt::format(
                   "Beside the largest coordinate, a float has {:.1f} bits left for the smallest "
-                  "edge: no test can mend that. Move the scene to the origin, or split it.",
+                  "edge: no test can fix that. Move the scene to the origin, or split it.",
                   needs.digits_left)
             : fmt::format(
                   "Beside the largest coordinate, a float has {:.1f} bits left for the smallest "

@@ -39,7 +39,7 @@ class Links:
         path = Path(os.path.normpath(self.root / page.parent / path_text)).relative_to(self.root)
         mark = f"#{anchor}" if anchor else ""
         if not (self.root / path).exists():
-            raise BookError(f"{place}: {target} leads to {path}, which is not there. Mend the link.")
+            raise BookError(f"{place}: {target} leads to {path}, which is not there. Fix the link.")
         if path in self.page_names:
             return self.page_names[path] + mark
         folder_page = path / "README.md"

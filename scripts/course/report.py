@@ -23,7 +23,7 @@ def number(value):
 
 
 def _for_json(value):
-    """JSON has no infinity and no number that is none: those are words."""
+    """JSON has no infinity and no NaN: those are words."""
     is_none = isinstance(value, float) and not math.isfinite(value)
     return number(value) if is_none else value
 

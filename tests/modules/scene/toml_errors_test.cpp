@@ -65,7 +65,7 @@ TEST_CASE("unknown keys are refused by name", "[scene][toml]") {
     });
 }
 
-TEST_CASE("numbers that are none or not finite or out of range are refused", "[scene][toml]") {
+TEST_CASE("numbers that are malformed, not finite or out of range are refused", "[scene][toml]") {
     check({
         {camera + "target = [0, nan, 0]\n", "4:14", "target is nan"},
         {camera + "target = [0, 0, inf]\n", "4:17", "target is inf"},
