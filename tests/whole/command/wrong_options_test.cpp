@@ -58,7 +58,8 @@ TEST_CASE("a number of bounces out of range is refused", "[command][refusal]") {
     }
 }
 
-TEST_CASE("a malformed number, or one out of range, is refused with the range", "[command][refusal]") {
+TEST_CASE("a malformed number, or one out of range, is refused with the range",
+          "[command][refusal]") {
     const Workplace workplace("ranges");
     for (const std::string samples : {"-1", "4097", "", "1.5", "0x2"}) {
         check_refusal(workplace, "09_effects", {"--samples", samples}, 2,
