@@ -2,10 +2,9 @@
 // node, larger boxes, and the same hits. Walked as bvh_skip is. Source of the idea: Mahovsky and
 // Wyvill, "Memory-Conserving Bounding Volume Hierarchies with Coherent Raytracing", 2006.
 //
-// A bounding volume hierarchy with boxes of half precision: half as long as those of
-// structure/bvh/bvh_nodes.glsl, one texel of four integers a node. Six halves tell where the box
-// begins and ends, as shares of the whole scene's box, from 0 to 1, rounded outwards: x has the
-// lower planes of x and y, y that of z and the upper one of x, z the upper ones of y and z, the
+// A node is one texel of four integers, half as long as those of structure/bvh/bvh_nodes.glsl. Six
+// halves say where its box begins and ends, as shares of the whole scene's box, from 0 to 1: x has
+// the lower planes of x and y, y that of z and the upper one of x, z the upper ones of y and z, the
 // first in the low 16 bits. w of an inner node is the node behind its whole branch; that of a leaf
 // is -1 - its first triangle, and the next node stands behind it.
 //
