@@ -2,6 +2,7 @@
 
 #include "cell_choice.h"
 #include "keys.h"
+#include "scene/scaling.h"
 #include "scene/view.h"
 #include "structure/bvh/bvh_split.h"
 
@@ -131,8 +132,9 @@ State with_selected(const State& state, const Stage& stage, int cell) {
 
 State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point) {
     State next = state;
-    next.ray = Ray{stage.camera().eye, point - stage.camera().eye, 0.0f,
-                   std::numeric_limits<float>::max()};
+    const Ray ray{stage.camera().eye, point - stage.camera().eye, 0.0f,
+                  std::numeric_limits<float>::max()};
+    next.ray = scaled(ray, -state.scale_exponent); // a state has the lengths of the file
     next.pixel.reset();
     next.path_ray = 0;
     next.step = last_step;
@@ -142,10 +144,14 @@ State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point
 
 std::optional<glm::vec3> point_under(const State& state, const Stage& stage,
                                      const Camera& viewpoint, const glm::ivec2& place) {
-    const auto ray = ray_through(state, stage, viewpoint, place);
-    if (!ray) {
+    auto ray = ray_through(state, stage, viewpoint, place);
+    const auto entry = ray ? entry_of(*ray, stage.bounds()) : std::nullopt;
+    if (!entry) {
         return std::nullopt;
     }
+    // From the box of the scene on: a viewpoint may be farther away than the structures' reach.
+    const glm::vec3 start(glm::dvec3(ray->origin) + *entry * glm::dvec3(ray->direction));
+    ray->origin = glm::clamp(start, stage.bounds().lower, stage.bounds().upper);
     const Hit hit = stage.panes().front()->recorder.record(*ray, Question::nearest).hit;
     if (hit.triangle == no_triangle) {
         return std::nullopt;

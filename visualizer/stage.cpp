@@ -4,6 +4,7 @@
 #include "hard_cases/hard_cases.h"
 #include "mirror/walks.h"
 #include "scene/load_scene.h"
+#include "scene/scaling.h"
 #include "scene/view.h"
 #include "structure/padding.h"
 #include "visualizer/replay/sentence.h"
@@ -127,8 +128,8 @@ bool Stage::CountSource::operator==(const CountSource& other) const {
 }
 
 void Stage::show(const State& state) {
-    load({state.scene, state.hard_case, aspect_ratio(state.picture)});
-    camera_ = state.camera.value_or(scene_.camera);
+    load({state.scene, state.hard_case, aspect_ratio(state.picture), state.scale_exponent});
+    camera_ = state.camera ? scaled(*state.camera, state.scale_exponent) : scene_.camera;
     const std::optional<Ray> ray = ray_of(state);
     build({state.structures, state.build_values, reach_with(ray)});
     note_.clear();
@@ -147,7 +148,7 @@ void Stage::load(const SceneSource& source) {
     HardScene hard;
     if (source.hard_case.empty()) {
         say_("loading " + source.scene);
-        scene = load_scene(source.scene, source.aspect_ratio);
+        scene = load_scene(source.scene, source.aspect_ratio, source.scale_exponent);
     } else {
         const HardCase& hard_case = find_hard_case(source.hard_case);
         say_("making " + hard_case.name);
@@ -168,9 +169,9 @@ void Stage::load(const SceneSource& source) {
 // again, and then serve the nearer ones as well.
 float Stage::reach_with(const std::optional<Ray>& ray) const {
     const float built = built_ ? built_->reach : 0.0f;
-    const float rays =
-        ray ? reach_of(ray->origin, scene_.corners) : reach_of(hard_rays_, scene_.corners);
-    return std::max({built, reach_of(camera_.eye, scene_.corners), rays});
+    const float rays = ray ? reach_of(Box{ray->origin, ray->origin}, scene_.corners)
+                           : reach_of(hard_rays_, scene_.corners);
+    return std::max({built, reach_of(origins_of(camera_), scene_.corners), rays});
 }
 
 void Stage::build(const StructureSource& source) {
@@ -187,7 +188,7 @@ void Stage::build(const StructureSource& source) {
 
 std::optional<Ray> Stage::ray_of(const State& state) const {
     if (!state.pixel) {
-        return state.ray;
+        return state.ray ? std::optional(scaled(*state.ray, state.scale_exponent)) : std::nullopt;
     }
     const glm::ivec2 pixel = *state.pixel;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= state.picture.x || pixel.y >= state.picture.y) {

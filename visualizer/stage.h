@@ -37,6 +37,7 @@ private:
         std::string scene;
         std::string hard_case;
         float aspect_ratio;
+        int scale_exponent;
 
         bool operator==(const SceneSource&) const = default;
     };

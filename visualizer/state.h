@@ -74,7 +74,8 @@ inline constexpr int all_levels = -1;
 struct State {
     // What there is to see.
     std::string scene = "bunny";
-    std::string hard_case;                              // instead of the scene: K3
+    int scale_exponent = 0; // all lengths of a file are multiplied by 2 to this power
+    std::string hard_case;  // instead of the scene: K3
     std::vector<std::string> structures{"bvh_ordered"}; // NAME or NAME:option=value:...
     std::map<std::string, std::string> build_values;    // for the builders of all of them
     std::optional<Camera> camera; // that traces the picture; by default the scene's

@@ -23,6 +23,9 @@ void visit_fields(const Visit& visit) {
         visit(Field{name, option, meaning}, member);
     };
     field("scene", &State::scene, "SCENE", "an .obj or .toml file, or a sample scene");
+    field("scale_exponent", &State::scale_exponent, "--scale-exponent",
+          "multiply all lengths of the file, of --camera and of --ray by 2 to this power, for a "
+          "model that is too small for floats");
     field("hard_case", &State::hard_case, "--hard-case",
           "show this hard case, such as K3, instead of a scene, with a ray that breaks a common "
           "method");

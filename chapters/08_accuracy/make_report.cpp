@@ -6,6 +6,7 @@
 #include "gpu/context.h"
 #include "image/image_file.h"
 #include "program/output.h"
+#include "scene/view.h"
 #include "scene_needs.h"
 #include "structure/padding.h"
 #include "subject.h"
@@ -395,7 +396,7 @@ void make_report(const PictureOptions& options, const ReportRequest& request) {
     trade_offs.effort.seed = request.seed;
     trade_offs.effort.rounds = request.rounds;
     const SceneNeeds needs = find_needs(scene);
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     trade_offs.scene = make_subject(std::move(scene), reach);
     const bool aim_at_scene = request.own_scene && needs.triangles > needs.without_area;
     trade_offs.mesh = aim_at_scene ? trade_offs.scene : usual_subject();

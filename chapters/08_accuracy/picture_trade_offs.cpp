@@ -3,6 +3,7 @@
 #include "judges.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
 
@@ -44,7 +45,7 @@ public:
 
 private:
     static SceneTextures textures_of(const Scene& scene) {
-        const float reach = reach_of(scene.camera.eye, scene.corners);
+        const float reach = reach_of(origins_of(scene.camera), scene.corners);
         return upload(scene, family_of("bvh_ordered").build(scene.corners, {reach, {}}));
     }
 

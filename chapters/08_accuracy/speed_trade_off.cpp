@@ -4,6 +4,7 @@
 #include "hard_cases/aimed_rays.h"
 #include "render/rays.h"
 #include "render/trace_rays.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 
 #include <cstring>
@@ -87,7 +88,7 @@ TradeOffTrials speed_trade_off(const Scene& scene, const Effort& effort) {
     trade_off.question = "Which choices change the speed and no hit? On " + scene.name + ".";
     trade_off.unit_of_cases = "ray";
     trade_off.kind = TradeOffKind::speed_only;
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     TraceRays judge(parts_of("bvh_ordered"), effort.limits);
     const auto judged = build_textures(scene, "bvh_ordered", reach, {});
     const auto families = families_of(scene, effort);

@@ -6,6 +6,7 @@
 #include "render/trace_rays.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
+#include "scene/view.h"
 #include "scene_needs.h"
 #include "structure/padding.h"
 
@@ -58,7 +59,7 @@ std::shared_ptr<const Subject> made_smaller(const Subject& subject) {
     }
     scene.camera.eye *= smaller;
     scene.camera.target *= smaller;
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     return make_subject(std::move(scene), reach);
 }
 

@@ -6,6 +6,7 @@
 #include "render/effects/effects_renderer.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 #include "trace/trace_picture.h"
 
@@ -46,7 +47,7 @@ public:
         : size_(size), quality_(quality), parts_(trace_parts(tracing.triangle, tracing.structure)),
           scene_(load_scene(name, aspect_ratio(size))),
           structure_(build_structure(tracing.structure, scene_.corners,
-                                     {.reach = reach_of(scene_.camera.eye, scene_.corners),
+                                     {.reach = reach_of(origins_of(scene_.camera), scene_.corners),
                                       .values = tracing.build_values})),
           limits_(measure_limits()) {
         called_ = plan("").effects;

@@ -1,8 +1,16 @@
+#include "hard_cases/aimed_rays.h"
 #include "hard_cases/hard_cases.h"
+#include "hard_cases/meshes.h"
 #include "mirror/trace_by_mirror.h"
 #include "mirror/walks.h"
 #include "reference/exact.h"
+#include "scene/scaling.h"
+#include "structure/structure.h"
+#include "tally.h"
 #include "trials.h"
+
+#include "render/rays.h"
+#include "render/scene_textures.h"
 
 #include <fmt/core.h>
 
@@ -107,6 +115,70 @@ std::vector<TrialRow> errors_of_t(const std::string& name, const TrialTools& too
     return rows;
 }
 
+std::size_t count_misses(std::span<const Hit> hits) {
+    return static_cast<std::size_t>(std::count_if(
+        hits.begin(), hits.end(), [](const Hit& hit) { return hit.triangle == no_triangle; }));
+}
+
+// From inside a closed sphere at its edges, all lengths multiplied by 2^exponent: leaks of the loop
+// over every triangle, and hits of the structures that are not the loop's.
+void add_sphere(std::vector<TrialRow>& rows, const TrialTools& tools, float radius, int exponent,
+                bool promised) {
+    const int count = tools.rays > 0 ? tools.rays : usual_rays;
+    Mesh mesh = latitude_sphere(radius, 12, 24);
+    RandomNumbers numbers(tools.seed);
+    std::vector<Ray> rays = edge_aimed_rays(numbers, mesh, glm::vec3(0.3f * radius), count);
+    for (Ray& ray : rays) {
+        ray = scaled(ray, exponent);
+    }
+    mesh = scaled_and_moved(std::move(mesh), std::ldexp(1.0f, exponent), glm::vec3(0.0f));
+    const Scene scene = add_mesh(Scene{}, mesh, Material{});
+    const std::string size = fmt::format("radius {:g}", radius) +
+                             (exponent == 0 ? "" : fmt::format(" x 2^{}", exponent));
+    const auto row = promised ? promised_row : reported_row;
+    const auto add_rows = [&](const char* where, const auto& trace) {
+        const std::vector<Hit> loop =
+            trace("every_triangle", every_triangle(triangle_count(scene)));
+        std::size_t unlike = 0;
+        std::size_t tried = 0;
+        for (const auto& [name, mirror] : mirror_walks()) {
+            if (name != "every_triangle") {
+                const std::vector<Hit> hits = trace(name, family_of(name).build(mesh.corners, {}));
+                unlike += count_other_hits(hits, loop);
+                tried += hits.size();
+            }
+        }
+        rows.push_back(
+            row(size + ", loop", where, "every ray hits", count_misses(loop), loop.size()));
+        rows.push_back(row(size + ", structures", where, "the loop's bits", unlike, tried));
+    };
+    if (tools.by_mirror) {
+        const mirror::SceneBuffers buffers(scene);
+        add_rows("C++", [&](const std::string& name, const BuiltStructure& built) {
+            return mirror_walks().at(name)(buffers, built.packed, rays);
+        });
+    }
+    if (tools.gpu != nullptr) {
+        const RayTextures uploaded = upload_rays(rays);
+        add_rows("GPU", [&](const std::string& name, const BuiltStructure& built) {
+            return tools.gpu->trace("watertight", name, upload(scene, built), uploaded,
+                                    rays.size());
+        });
+    }
+}
+
+// A GPU may take products under 2^-126 for 0, where C++ keeps some of their digits.
+std::vector<TrialRow> small_scenes(const TrialTools& tools) {
+    std::vector<TrialRow> rows;
+    add_sphere(rows, tools, 1e-11f, 0, true);
+    for (const float radius : {1e-15f, 1e-16f, 1e-17f, 1e-18f, 3e-19f, 1e-19f, 1e-20f}) {
+        add_sphere(rows, tools, radius, 0, false);
+    }
+    add_sphere(rows, tools, 1e-17f, greatest_scale_exponent, true);
+    add_sphere(rows, tools, 1e-20f, greatest_scale_exponent, true);
+    return rows;
+}
+
 } // namespace
 
 std::vector<Trial> triangle_checks() {
@@ -118,6 +190,8 @@ std::vector<Trial> triangle_checks() {
         {"T7t", "how exact t is where rays graze", "", "--triangle watertight",
          [](const TrialTools& tools) { return errors_of_t("T7", tools); }},
         {"T10z", "a zero's sign changes no bit", "", "", signs_of_zero},
+        {"T16", "closed spheres that are too small for the digits of a float", "",
+         "--scale-exponent N: all lengths times 2^N", small_scenes},
         {"T13r", "u, v, u + v and t stay in their ranges", "", "", ranges},
     };
 }

@@ -50,6 +50,24 @@ Mesh sliver_ball(float times);
 // A lens of radius 1, and so high in its middle: from inside, rays to its rim graze its faces.
 Mesh flat_lens(float height);
 
+// Closed meshes with triangles whose corners lie on one line, which close slits
+// (loaded_meshes.cpp).
+
+// The mesh as the OBJ loader gives it back.
+Mesh as_loaded(const Mesh& mesh);
+
+// Of each triangle of a closed mesh, one edge that it shares is split at its middle; the neighbour
+// keeps the whole edge, and a triangle without area closes the slit between both. The corners are
+// multiples of 2^-10 between -4 and 4, so the middles are exact.
+Mesh split_on_one_side(const Mesh& mesh);
+
+// A sphere as latitude_sphere makes it, with each radius between 0.95 and 1.05, and its corners
+// rounded where they lie around that center: far from zero some of its triangles lose their area.
+Mesh jittered_sphere(RandomNumbers& numbers, int rows, int around, const glm::vec3& center);
+
+// The corners of all triangles without area.
+std::vector<glm::vec3> corners_without_area(const Mesh& mesh);
+
 // The mesh, each corner multiplied and then moved, with rounding.
 Mesh scaled_and_moved(Mesh mesh, float scale, const glm::vec3& offset);
 

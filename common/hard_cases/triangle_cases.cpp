@@ -3,6 +3,10 @@
 #include "hard_cases/meshes.h"
 #include "scene/shapes.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <array>
 
 namespace raysteps {
@@ -106,6 +110,105 @@ HardScene corners_on_a_line(const HardRequest& request) {
     return {mesh_of(corners), rays_at_points(numbers, corners, points)};
 }
 
+// From around a point inside, at edges of those triangles.
+std::vector<Ray> rays_at_edges_of(RandomNumbers& numbers, const glm::vec3& inside,
+                                  std::span<const glm::vec3> corners, int count) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 origin = inside + 0.3f * numbers.in_cube();
+        rays.push_back({origin, point_on_edge(numbers, corners) - origin, 0.0f, no_end});
+    }
+    return rays;
+}
+
+HardScene slits_that_are_closed(const HardRequest& request) {
+    Mesh sphere = latitude_sphere(1.0f, 8, 16);
+    for (glm::vec3& corner : sphere.corners) {
+        corner = 0x1p-10f * glm::round(0x1p10f * corner);
+    }
+    const Mesh mesh = as_loaded(split_on_one_side(sphere));
+    RandomNumbers numbers(request.seed);
+    const std::vector<glm::vec3> lines = corners_without_area(split_on_one_side(sphere));
+    return {mesh, rays_at_edges_of(numbers, glm::vec3(0.0f), lines, request.rays)};
+}
+
+HardScene areas_lost_by_rounding(const HardRequest& request) {
+    RandomNumbers of_the_mesh(1);
+    const glm::vec3 center(1e6f, -7e5f, 3e5f);
+    const Mesh sphere = jittered_sphere(of_the_mesh, 48, 96, center);
+    RandomNumbers numbers(request.seed);
+    const int half_of_them = request.rays / 2;
+    const std::vector<Ray> at_lines =
+        rays_at_edges_of(numbers, center, corners_without_area(sphere), half_of_them);
+    return {as_loaded(sphere),
+            joined(at_lines, rays_at_edges_of(numbers, center, sphere.corners, half_of_them))};
+}
+
+// A tetrahedron, its corners counter-clockwise as seen from outside.
+Mesh tetrahedron() {
+    const glm::vec3 a(-0.09524089f, 0.119544774f, 0.848421156f);
+    const glm::vec3 b(-0.06869986f, 0.0156825464f, 0.17476967f);
+    const glm::vec3 c(-0.630679309f, 0.0238172784f, 0.259765446f);
+    const glm::vec3 d(0.585953772f, -0.811753094f, -0.393197477f);
+    const bool inwards = glm::dot(area_vector(a, b, c), glm::dvec3(d) - glm::dvec3(a)) > 0.0;
+    return inwards ? mesh_of({a, c, b, a, b, d, b, c, d, c, a, d})
+                   : mesh_of({a, b, c, a, d, b, b, d, c, c, d, a});
+}
+
+// How far inside of a convex mesh a point is: the least distance to a plane of its faces, measured
+// along the axis where it is greatest. Negative outside.
+double depth_inside(const Mesh& mesh, const glm::vec3& point) {
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t first = 0; first < mesh.corners.size(); first += 3) {
+        const glm::dvec3 normal =
+            area_vector(mesh.corners[first], mesh.corners[first + 1], mesh.corners[first + 2]);
+        const glm::dvec3 size = glm::abs(normal);
+        const double above = glm::dot(normal, glm::dvec3(point) - glm::dvec3(mesh.corners[first]));
+        depth = std::min(depth, -above / (size.x + size.y + size.z));
+    }
+    return depth;
+}
+
+// Origins about so far inside of a wall, with rays towards it.
+HardScene close_to_a_wall(const HardRequest& request, double distance) {
+    const Mesh mesh = tetrahedron();
+    RandomNumbers numbers(request.seed);
+    std::vector<Ray> rays;
+    while (static_cast<int>(rays.size()) < request.rays) {
+        const std::size_t first = 3 * static_cast<std::size_t>(numbers.below(4));
+        const glm::dvec3 a(mesh.corners[first]);
+        const glm::dvec3 b(mesh.corners[first + 1]);
+        const glm::dvec3 c(mesh.corners[first + 2]);
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        const glm::dvec3 size = glm::abs(normal);
+        const double u = numbers.unit();
+        const double v = (1.0 - u) * static_cast<double>(numbers.unit());
+        const glm::dvec3 inwards = -normal / (size.x + size.y + size.z);
+        // Along the normal it takes this far to be `distance` away along some axis.
+        const double away = distance / glm::dot(inwards, -glm::normalize(normal));
+        const glm::vec3 origin(a + u * (b - a) + v * (c - a) -
+                               1.01 * away * glm::normalize(normal));
+        glm::vec3 direction = any_direction(numbers);
+        direction = glm::dot(glm::dvec3(direction), normal) < 0.0 ? -direction : direction;
+        const double depth = depth_inside(mesh, origin);
+        if (depth >= distance && depth < 2.0 * distance) {
+            rays.push_back({origin, direction, 0.0f, no_end});
+        }
+    }
+    return {mesh, rays};
+}
+
+// More than its longest side, 1.242 along z: the reach of rays from inside.
+constexpr double tetrahedron_reach = 1.25;
+
+HardScene at_the_promised_distance(const HardRequest& request) {
+    return close_to_a_wall(request, 0x1p-19 * tetrahedron_reach);
+}
+
+HardScene closer_than_promised(const HardRequest& request) {
+    return close_to_a_wall(request, 0x1p-27 * tetrahedron_reach);
+}
+
 HardScene in_the_plane(const HardRequest&) {
     std::vector<Ray> rays;
     for (const float y : {0.0f, 0.25f, 0.5f, 1.0f}) {
@@ -187,17 +290,26 @@ std::vector<HardCase> triangle_cases() {
         {"T4", "a ray at the diagonal that splits a square", "", Truth::all_hit,
          Guarantee::promised, aimed, take_watertight, 1, diagonal_of_a_quad},
         {"T5", "triangles with edges from 1 down to 1e-18", "", Truth::all_hit, Guarantee::promised,
-         aimed, "scale the model: below 1e-19 products underflow", 19, tiny_triangles},
+         aimed, "--scale-exponent N: all lengths times 2^N; below 1e-19 products underflow", 19,
+         tiny_triangles},
         {"T6", "a closed mesh of slivers, 100,000 times longer than wide", "", Truth::all_hit,
          Guarantee::promised, aimed, take_watertight, 1000000, slivers},
         {"T7", "rays that graze the faces of a closed lens at 1e-5 radians", "", Truth::all_hit,
          Guarantee::promised, aimed, take_watertight, 1000000, grazing},
         {"T8a", "triangles of which two or three corners are one point", "", Truth::all_miss,
          Guarantee::promised, aimed, "", 100000, repeated_corners},
-        {"T8b", "triangles with three corners on one line, which the loader drops", "",
-         Truth::all_miss, Guarantee::reported, aimed,
-         "drop them when a model is loaded: rounded corners leave the line", 100000,
+        {"T8b", "loose triangles with three corners on one line", "", Truth::all_miss,
+         Guarantee::reported, aimed,
+         "none is needed: a hit lies at the line, as near as any hit lies at its triangle", 100000,
          corners_on_a_line},
+        {"T8c", "a closed mesh, in which triangles without area close slits between others", "",
+         Truth::all_hit, Guarantee::promised, aimed,
+         take_watertight + ", and keep triangles with three different corners on one line", 1000000,
+         slits_that_are_closed},
+        {"T8d", "a closed mesh, far from zero, in which rounding took the area of triangles", "",
+         Truth::all_hit, Guarantee::promised, aimed,
+         take_watertight + ", and keep triangles with three different corners on one line", 1000000,
+         areas_lost_by_rounding},
         {"T9", "rays in the plane of a triangle, which miss by definition", "", Truth::all_miss,
          Guarantee::promised, aimed, "", 32, in_the_plane},
         {"T10", "zeros of either sign in the direction", "", Truth::the_loop, Guarantee::promised,
@@ -208,6 +320,13 @@ std::vector<HardCase> triangle_cases() {
         {"T12", "a closed mesh a million radii away from zero", "", Truth::all_hit,
          Guarantee::promised, aimed, "move the model to zero: its corners have lost their digits",
          1000000, at_an_offset},
+        {"T14", "rays that start 2^-19 of their reach inside a wall, towards it", "",
+         Truth::all_hit, Guarantee::promised, aimed, take_watertight, 1000000,
+         at_the_promised_distance},
+        {"T15", "rays that start 2^-27 of their reach inside a wall, towards it", "",
+         Truth::all_hit, Guarantee::reported, aimed,
+         "start 2^-19 of the reach inside: nearer, rounding may bring t below 0", 1000000,
+         closer_than_promised},
         {"T13", "loose triangles, whose u, v and t must stay in their range", "", Truth::the_loop,
          Guarantee::promised, Tries::structures, "", 1000000, loose},
     };

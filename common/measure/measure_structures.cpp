@@ -4,6 +4,7 @@
 #include "measure/contest.h"
 #include "measure/ray_kinds.h"
 #include "render/rays.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 
 #include <fmt/core.h>
@@ -54,7 +55,7 @@ std::map<std::string, std::string> own_values(const StructureFamily& family,
 // Builds each family of these structures once, for all its walks.
 BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures,
                              const std::map<std::string, std::string>& values) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     BuiltFamilies built;
     for (const std::string& structure : structures) {
         const StructureFamily family = family_of(structure);

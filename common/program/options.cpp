@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "scene/camera_text.h"
 #include "scene/load_scene.h"
+#include "scene/scaling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -102,9 +103,11 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 }
 
 Scene load(const PictureOptions& picture) {
-    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size));
-    if (!picture.camera.empty()) {
-        scene.camera = parse_camera(picture.camera, scene.camera);
+    const int exponent = picture.scale_exponent;
+    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size), exponent);
+    if (!picture.camera.empty()) { // in the lengths of the file
+        scene.camera =
+            scaled(parse_camera(picture.camera, scaled(scene.camera, -exponent)), exponent);
     }
     return scene;
 }
@@ -302,6 +305,10 @@ void add_picture_options(Options& options, PictureOptions& picture) {
     options.text("--camera", picture.camera,
                  "eye x,y,z and target x,y,z, optionally followed by the vertical field of view "
                  "in degrees, and then by up x,y,z");
+    options.number("--scale-exponent", picture.scale_exponent,
+                   "multiply all lengths of the file, of --camera and of --rays by 2 to this "
+                   "power, for a model that is too small for floats; hits stay as they are",
+                   -greatest_scale_exponent, greatest_scale_exponent);
     options.output_folder("--out", picture.out, "the folder for the pictures");
     options.output_file("--json", picture.json, "a file for the measured numbers");
     add_context_option(options, picture.context);
@@ -310,6 +317,9 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                      [] { std::cout << list_scenes(); });
     options.question("--print-scene", "print the scene as a TOML file, and do nothing else",
                      [&] { std::cout << to_toml(load(picture)); });
+    // A scene file and a camera that C prints in a window have lengths of their own: there, a model
+    // is scaled by its `scale` (docs/scene_files.md).
+    options.excludes("--scale-exponent", {"--window", "--print-scene"});
 }
 
 Scene load_scene(const PictureOptions& picture) {

@@ -102,6 +102,7 @@ private:
 struct PictureOptions {
     std::string scene{};
     PictureSize size{512, 512};
+    int scale_exponent = 0;      // all lengths of a file are multiplied by 2 to this power
     std::string camera{};        // empty: the scene's own
     std::filesystem::path out{}; // empty: the program's folder in out/
     std::filesystem::path json{};
@@ -109,7 +110,8 @@ struct PictureOptions {
     bool window = false;
 };
 
-// --scene --size --camera --out --json --context --window --print-scene --list-scenes
+// --scene --size --camera --scale-exponent --out --json --context --window --print-scene
+// --list-scenes
 void add_picture_options(Options& options, PictureOptions& picture);
 
 // auto, osmesa, egl or window. Throws InputError.

@@ -71,11 +71,13 @@ Surface surface_at(const Scene& scene, const ReferenceRay& ray, const ReferenceH
     const glm::dvec3 c(scene.corners[3 * triangle + 2]);
     Surface surface;
     surface.point = mix_corners(scene.corners, hit);
-    surface.geometric_normal = glm::normalize(glm::cross(b - a, c - a));
+    const glm::dvec3 normal = mix_corners(scene.normals, hit);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    // The corners of a triangle that closes a slit may lie on one line: it has no plane.
+    surface.geometric_normal = glm::normalize(area == glm::dvec3(0.0) ? normal : area);
     if (glm::dot(surface.geometric_normal, ray.direction) > 0.0) {
         surface.geometric_normal = -surface.geometric_normal;
     }
-    const glm::dvec3 normal = mix_corners(scene.normals, hit);
     surface.shading_normal =
         normal == glm::dvec3(0.0) ? surface.geometric_normal : glm::normalize(normal);
     if (glm::dot(surface.shading_normal, surface.geometric_normal) < 0.0) {

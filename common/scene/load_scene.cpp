@@ -6,7 +6,11 @@
 #include "scene/frame_scene.h"
 #include "scene/obj/load_obj.h"
 #include "scene/samples/sample_scenes.h"
+#include "scene/scaling.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
@@ -29,12 +33,29 @@ std::string lower_case(std::string text) {
 }
 
 // The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
-Scene load_bare_obj(const fs::path& path, float aspect_ratio) {
+Scene load_bare_obj(const fs::path& path, float aspect_ratio, int scale_exponent) {
+    const glm::mat4 transform =
+        glm::scale(glm::mat4(1.0f), glm::vec3(std::ldexp(1.0f, scale_exponent)));
     Scene model = load_obj(path);
-    model.models = {{fs::absolute(path).lexically_normal().string(), glm::mat4(1.0f)}};
-    Scene scene = append_model({}, model, glm::mat4(1.0f));
+    model.models = {{fs::absolute(path).lexically_normal().string(), transform}};
+    Scene scene = append_model({}, model, transform);
+    for (Material& material : scene.materials) {
+        material = scaled(std::move(material), scale_exponent);
+    }
     scene.name = model.name;
     return frame_scene(std::move(scene), aspect_ratio);
+}
+
+Scene load_file(const fs::path& path, float aspect_ratio, int scale_exponent) {
+    Scene scene =
+        lower_case(path.extension().string()) == ".obj"
+            ? load_bare_obj(path, aspect_ratio, scale_exponent)
+            : read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio, scale_exponent);
+    const std::string warning = warn_of_size(scene);
+    if (!warning.empty()) {
+        scene.messages.push_back(warning);
+    }
+    return scene;
 }
 
 constexpr std::size_t column_width = 22;
@@ -54,17 +75,23 @@ std::string line_of(const SampleScene& sample) {
 
 } // namespace
 
-Scene load_scene(const std::string& name, float aspect_ratio) {
+Scene load_scene(const std::string& name, float aspect_ratio, int scale_exponent) {
+    if (std::abs(scale_exponent) > greatest_scale_exponent) {
+        throw InputError("--scale-exponent " + std::to_string(scale_exponent) + ": take one from " +
+                         std::to_string(-greatest_scale_exponent) + " to " +
+                         std::to_string(greatest_scale_exponent) + ".");
+    }
     if (is_sample_name(name)) {
+        if (scale_exponent != 0) {
+            throw InputError("--scale-exponent is for models from files, and " + name +
+                             " is made by code. Leave it out.");
+        }
         return make_sample_scene(name, aspect_ratio);
     }
     const fs::path path(name);
     const std::string extension = lower_case(path.extension().string());
-    if (extension == ".obj") {
-        return load_bare_obj(path, aspect_ratio);
-    }
-    if (extension == ".toml") {
-        return read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio);
+    if (extension == ".obj" || extension == ".toml") {
+        return load_file(path, aspect_ratio, scale_exponent);
     }
     std::error_code error;
     if (fs::exists(path, error)) {

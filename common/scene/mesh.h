@@ -30,10 +30,12 @@ inline constexpr std::int64_t flat = -1;
 // of coordinates up to 1.8e18 overflow a float.
 glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-// The normal of unit length at each corner; corners 3i, 3i + 1 and 3i + 2 are a triangle, which has
-// an area. Corners with the same surface get one normal: those of their triangles, weighted by the
-// angles there (Thuermer and Wuethrich, "Computing Vertex Normals from Polygonal Facets", 1998).
-// Where these cancel out, and where the surface is `flat`, it is the triangle's own.
+// The normal of unit length at each corner; corners 3i, 3i + 1 and 3i + 2 are a triangle. Corners
+// with the same surface get one normal: those of their triangles, weighted by the angles there
+// (Thuermer and Wuethrich, "Computing Vertex Normals from Polygonal Facets", 1998). Where these
+// cancel out, and where the surface is `flat`, it is the triangle's own. A triangle without area
+// has none: each of its corners takes the mean of the triangles with an area that meet there, and
+// where there is no such triangle, or they cancel out, any direction across the longest edge.
 std::vector<glm::vec3> corner_normals(std::span<const glm::vec3> corners,
                                       std::span<const std::int64_t> surfaces);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "basics/box.h"
 #include "basics/ray.h"
 #include "scene/scene.h"
 
@@ -11,6 +12,9 @@ namespace raysteps {
 // The rectangle that the camera looks through at this aspect ratio (width / height), computed in
 // double and rounded once.
 View view_of(const Camera& camera, double aspect_ratio);
+
+// A box around all points at which the camera's rays start: its eye, or the whole of its lens.
+Box origins_of(const Camera& camera);
 
 // Three perpendicular directions of length 1, as seen by who looks forward.
 struct ViewFrame {

@@ -40,11 +40,15 @@ double usual_reach(const Box& bounds, double asked) {
         return asked;
     }
     double side = 0.0;
+    double largest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
-        side = std::max(side, static_cast<double>(bounds.upper[axis]) -
-                                  static_cast<double>(bounds.lower[axis]));
+        const double lower = bounds.lower[axis];
+        const double upper = bounds.upper[axis];
+        side = std::max(side, upper - lower);
+        largest = std::max({largest, std::abs(lower), std::abs(upper)});
     }
-    return std::max(4.0 * side, asked);
+    // Twice the 64 e, which leaves room for the rounding of the point itself.
+    return std::max({4.0 * side, side + 0x1p-17 * largest, asked});
 }
 
 Box pad(const Box& box, double padding) {
@@ -56,24 +60,17 @@ Box pad(const Box& box, double padding) {
     return padded;
 }
 
-namespace {
-
-float reach_of(const Box& origins, const Box& corners) {
+float reach_of(const Box& origins, std::span<const glm::vec3> corners) {
     float reach = 0.0f;
-    if (is_empty(origins) || is_empty(corners)) {
+    if (is_empty(origins) || corners.empty()) {
         return reach;
     }
+    const Box bounds = bounds_of(corners);
     for (int axis = 0; axis < 3; ++axis) {
-        reach = std::max({reach, std::abs(corners.upper[axis] - origins.lower[axis]),
-                          std::abs(corners.lower[axis] - origins.upper[axis])});
+        reach = std::max({reach, std::abs(bounds.upper[axis] - origins.lower[axis]),
+                          std::abs(bounds.lower[axis] - origins.upper[axis])});
     }
     return std::nextafter(reach, std::numeric_limits<float>::max());
-}
-
-} // namespace
-
-float reach_of(const glm::vec3& point, std::span<const glm::vec3> corners) {
-    return reach_of(Box{point, point}, bounds_of(corners));
 }
 
 float reach_of(std::span<const Ray> rays, std::span<const glm::vec3> corners) {
@@ -81,7 +78,7 @@ float reach_of(std::span<const Ray> rays, std::span<const glm::vec3> corners) {
     for (const Ray& ray : rays) {
         origins = merge(origins, ray.origin);
     }
-    return reach_of(origins, bounds_of(corners));
+    return reach_of(origins, corners);
 }
 
 void check_corners(std::span<const glm::vec3> corners, float greatest) {

@@ -21,7 +21,9 @@ namespace raysteps {
 double padding_for(double reach);
 
 // The reach that serves rays with origins in the scene or around it: four times the largest side
-// of the box, or what is asked for, whichever is more.
+// of the box, or what is asked for, whichever is more. Rays that leave a surface start up to 64 e
+// of its largest coordinate beside it (shaders/light/leave_surface.glsl), which counts where a
+// small scene lies far from zero.
 double usual_reach(const Box& bounds, double asked);
 
 // Throws InputError that names the first triangle with a corner that is NaN, infinite or farther
@@ -32,8 +34,9 @@ void check_corners(std::span<const glm::vec3> corners, float greatest);
 // rounding takes nothing away.
 Box pad(const Box& box, double padding);
 
-// The greatest distance along one axis from the point to a corner: what BuildRequest asks for.
-float reach_of(const glm::vec3& point, std::span<const glm::vec3> corners);
+// The greatest distance along one axis from a point of the box to a corner: what BuildRequest asks
+// for. Where rays come from a camera, the box is that of its whole lens (scene/view.h).
+float reach_of(const Box& origins, std::span<const glm::vec3> corners);
 
 // The greatest over the origins of all rays.
 float reach_of(std::span<const Ray> rays, std::span<const glm::vec3> corners);

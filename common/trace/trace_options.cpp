@@ -1,8 +1,10 @@
 #include "trace/trace_options.h"
+#include "scene/view.h"
 
 #include "basics/error.h"
 #include "gpu/shaders.h"
 #include "program/output.h"
+#include "program/window/controls.h"
 #include "structure/padding.h"
 
 #include <cstdio>
@@ -10,8 +12,6 @@
 namespace raysteps {
 
 namespace {
-
-constexpr float room_to_move = 16.0f;
 
 void print_memory(const std::string& what) {
     std::printf("memory    %s\n", what.c_str());
@@ -94,8 +94,14 @@ BuiltStructure build_structure(const std::string& structure, std::span<const glm
 }
 
 float camera_reach(const PictureOptions& picture, const Scene& scene) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
-    return picture.window ? room_to_move * reach : reach;
+    Box origins = origins_of(scene.camera);
+    if (picture.window) {
+        const glm::vec3 room(room_to_move(scene.camera));
+        // The box of every lens around an eye in the room; a step further, for the rounded sums.
+        origins.lower -= 1.0001f * room;
+        origins.upper += 1.0001f * room;
+    }
+    return reach_of(origins, scene.corners);
 }
 
 } // namespace raysteps

@@ -42,8 +42,8 @@ BuiltStructure build_structure(const std::string& structure, std::span<const glm
                                BuildRequest request,
                                const std::map<std::string, Builder>& own_builders = {});
 
-// How far from any corner the rays of the scene's camera start, along each axis; of the camera in
-// a window, which a person moves, so many times as far.
+// How far from any corner the rays of the scene's camera start, along each axis: from its eye, its
+// lens, and in a window from wherever a person may move it.
 float camera_reach(const PictureOptions& picture, const Scene& scene);
 
 } // namespace raysteps

@@ -3,6 +3,7 @@
 #include "basics/statistics.h"
 #include "image/heat_map.h"
 #include "scene/ray_file.h"
+#include "scene/scaling.h"
 #include "structure/padding.h"
 
 #include <algorithm>
@@ -91,7 +92,10 @@ void report_trace(const PictureOptions& picture, const TraceOptions& tracing,
 
 void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
                     const Scene& scene) {
-    const std::vector<Ray> rays = read_ray_file(tracing.rays);
+    std::vector<Ray> rays = read_ray_file(tracing.rays);
+    for (Ray& ray : rays) {
+        ray = scaled(ray, picture.scale_exponent);
+    }
     const BuildRequest request{.reach = reach_of(rays, scene.corners),
                                .values = tracing.build_values};
     const SceneTextures textures =

@@ -18,6 +18,10 @@ real3 cross_product(real3 a, real3 b) {
     return real3(x, y, z);
 }
 
+bool is_zero(real3 a) {
+    return a.x == real(0.0f) && a.y == real(0.0f) && a.z == real(0.0f);
+}
+
 // The vector of length 1 in the same direction; of the zero vector, NaN.
 // Scaled first, so that no square is too large or too small for the numbers at hand.
 real3 unit(real3 a) {

@@ -97,7 +97,8 @@ real level_at(Ray ray, Hit hit, Picture picture, real pixel_angle) {
     real length_of_direction = sqrt(dot_product(ray.direction, ray.direction));
     real cosine = abs(dot_product(across, ray.direction)) / (area * length_of_direction);
     real width = pixel_angle * hit.t * length_of_direction / max(cosine, real(0.01f));
-    return texels > real(0.0f) ? real(0.5f) * log2(texels / area) + log2(width) : real(0.0f);
+    bool has_sizes = texels > real(0.0f) && area > real(0.0f);
+    return has_sizes ? real(0.5f) * log2(texels / area) + log2(width) : real(0.0f);
 }
 
 real3 picture_at(Ray ray, Hit hit, Picture picture, real pixel_angle) {

@@ -4,6 +4,7 @@
 #include "render/rays.h"
 #include "render/show_hits.h"
 #include "scene/load_scene.h"
+#include "scene/view.h"
 #include "trace/trace_picture.h"
 
 #include <map>
@@ -14,7 +15,7 @@ namespace raysteps {
 
 inline SceneTextures bunny_in_structure(const Scene& scene, const std::string& walk) {
     const BuiltStructure built = family_of(walk).build(
-        scene.corners, {.reach = reach_of(scene.camera.eye, scene.corners), .values = {}});
+        scene.corners, {.reach = reach_of(origins_of(scene.camera), scene.corners), .values = {}});
     return upload(scene, built);
 }
 

@@ -3,7 +3,9 @@
 #include "program/window/trackball.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace raysteps {
@@ -58,6 +60,22 @@ Camera turn_wheel(const Camera& camera, double notches) {
     return dolly(camera, std::pow(zoom, zoom_powers_a_notch * notches));
 }
 
+float room_to_move(const Camera& start) {
+    return 15.0f * glm::distance(start.eye, start.target);
+}
+
+namespace {
+
+// Where the eye would leave its room, the camera stays as it is.
+void move_camera(Controls& controls, const Camera& moved) {
+    const glm::vec3 away = glm::abs(moved.eye - controls.start.eye);
+    if (std::max({away.x, away.y, away.z}) <= room_to_move(controls.start)) {
+        controls.camera = moved;
+    }
+}
+
+} // namespace
+
 Controls start_controls(const Camera& start) {
     Controls controls;
     controls.start = start;
@@ -81,14 +99,14 @@ Controls release_button(Controls controls, Button button) {
 }
 
 Controls move_cursor(Controls controls, const glm::dvec2& place) {
-    controls.camera =
-        drag(controls.camera, controls.motion, controls.cursor, place, controls.window_size);
+    move_camera(controls, drag(controls.camera, controls.motion, controls.cursor, place,
+                               controls.window_size));
     controls.cursor = place;
     return controls;
 }
 
 Controls scroll(Controls controls, double notches) {
-    controls.camera = turn_wheel(controls.camera, notches);
+    move_camera(controls, turn_wheel(controls.camera, notches));
     return controls;
 }
 

@@ -30,6 +30,11 @@ Camera drag(const Camera& camera, Motion motion, const glm::dvec2& from, const g
 // The camera after so many notches of the wheel, nearer where they are positive.
 Camera turn_wheel(const Camera& camera, double notches);
 
+// How far a window lets the eye move from where it starts, along each axis: 15 times its distance
+// from the target. Structures are built for rays from so far away (structure/padding.h), and a
+// scene is a few pixels wide from there.
+float room_to_move(const Camera& start);
+
 // What the person at the window wants, as told by the events so far. Events come while another
 // library runs, which no exception may cross: so they only change these values, and the window's
 // loop carries out what is asked.

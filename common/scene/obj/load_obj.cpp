@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "basics/text.h"
+#include "scene/mesh.h"
 #include "scene/obj/mtl.h"
 #include "scene/obj/obj_checks.h"
 #include "scene/obj/obj_file.h"
@@ -10,6 +11,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <istream>
 #include <map>
 #include <new>
@@ -227,6 +229,13 @@ bool repeats_corner(std::span<const ObjCorner> corners) {
     return false;
 }
 
+bool has_no_area(std::span<const glm::vec3> polygon, std::span<const PolygonTriangle> triangles) {
+    return std::any_of(triangles.begin(), triangles.end(), [&](const PolygonTriangle& corners) {
+        const auto& [a, b, c] = corners;
+        return area_vector(polygon[a], polygon[b], polygon[c]) == glm::dvec3(0.0);
+    });
+}
+
 class SceneMaker {
 public:
     SceneMaker(const ObjFile& file, std::vector<Material> materials) : file_(file) {
@@ -258,9 +267,13 @@ void SceneMaker::add_face(const ObjFace& face) {
 
     const std::vector<PolygonTriangle> triangles = triangulate_polygon(polygon);
     if (triangles.empty()) {
-        findings_.note("A face without area was dropped", face.line);
+        findings_.note("A face with fewer than three different corners was dropped", face.line);
         return;
     }
+    if (has_no_area(polygon, triangles))
+        findings_.note("A face has a triangle whose corners lie on one line; it is kept, since it "
+                       "may close a slit",
+                       face.line);
     if (repeats_corner(corners))
         findings_.note("A face names a vertex twice in a row; it is drawn as if once", face.line);
     const int material = material_of(face);

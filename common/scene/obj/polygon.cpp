@@ -1,7 +1,5 @@
 #include "scene/obj/polygon.h"
 
-#include "scene/mesh.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -217,9 +215,11 @@ std::vector<PolygonTriangle> triangulate_polygon(std::span<const glm::vec3> corn
     for (const int corner : different)
         polygon.push_back(corners[corner]);
 
+    // A triangle with two equal corners has one edge, there and back: it closes nothing. One whose
+    // corners lie on a line may close a slit between neighbours that name more or fewer of them.
     std::vector<PolygonTriangle> triangles;
     for (const auto& [a, b, c] : cut_polygon(polygon))
-        if (area_vector(polygon[a], polygon[b], polygon[c]) != glm::dvec3(0.0))
+        if (polygon[a] != polygon[b] && polygon[b] != polygon[c] && polygon[c] != polygon[a])
             triangles.push_back({different[a], different[b], different[c]});
     return triangles;
 }

@@ -5,9 +5,11 @@
 #include "scene/obj/load_obj.h"
 #include "scene/obj/obj_file.h"
 #include "scene/samples/sample_scenes.h"
+#include "scene/scaling.h"
 #include "scene/toml/toml_values.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -252,10 +254,10 @@ Sky toml_sky(const toml::node& node) {
             color("ground", "sky needs the color of the ground.")};
 }
 
-std::vector<Light> toml_lights(const toml::node& node) {
+std::vector<Light> toml_lights(const toml::node& node, int scale_exponent) {
     std::vector<Light> lights;
     for (const toml::node& light : toml_array(node, "light")) {
-        lights.push_back(light_of(light));
+        lights.push_back(scaled(light_of(light), scale_exponent));
     }
     return lights;
 }
@@ -281,7 +283,8 @@ void check_extent(const Scene& scene, const toml::source_region& source) {
     }
 }
 
-Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& folder) {
+Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& folder,
+                        int scale_exponent) {
     const toml::table& table = toml_table(node, "model");
     check_toml_keys(table, "model", {"path", "translate", "rotate", "scale", "matrix"});
     const toml::node* path_node = table.get("path");
@@ -299,7 +302,8 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
         throw toml_error(path_node->source(),
                          in_quotes(given) + " is not an OBJ file. Name a file that ends in .obj.");
     }
-    const glm::mat4 transform = toml_transform(table);
+    const glm::vec3 factors(std::ldexp(1.0f, scale_exponent));
+    const glm::mat4 transform = glm::scale(glm::mat4(1.0f), factors) * toml_transform(table);
     Scene model = load_obj(path);
     model.models = {{path.string(), transform}};
     if (scene.corners.size() + model.corners.size() > 3 * most_triangles) {
@@ -311,22 +315,29 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
     return scene;
 }
 
-Scene read_models(const toml::node& models, const fs::path& path) {
+Scene read_models(const toml::node& models, const fs::path& path, int scale_exponent) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     Scene scene;
     scene.name = path.stem().string();
     scene.background = calm_background;
     for (const toml::node& model : toml_array(models, "model")) {
-        scene = append_toml_model(std::move(scene), model, folder);
+        scene = append_toml_model(std::move(scene), model, folder, scale_exponent);
     }
     if (scene.models.empty()) {
         throw toml_error(models.source(), "model must name at least one OBJ file.");
     }
+    for (Material& material : scene.materials) {
+        material = scaled(std::move(material), scale_exponent);
+    }
     return scene;
 }
 
-Scene read_sample(const toml::node& sample, float aspect_ratio) {
+Scene read_sample(const toml::node& sample, float aspect_ratio, int scale_exponent) {
     const std::string name = toml_string(sample, "sample");
+    if (scale_exponent != 0) {
+        throw toml_error(sample.source(), "--scale-exponent is for models from files, and a sample "
+                                          "is made by code. Leave it out.");
+    }
     try {
         return make_sample_scene(name, aspect_ratio);
     } catch (const InputError& error) {
@@ -334,7 +345,8 @@ Scene read_sample(const toml::node& sample, float aspect_ratio) {
     }
 }
 
-Scene read_geometry(const toml::table& table, const fs::path& path, float aspect_ratio) {
+Scene read_geometry(const toml::table& table, const fs::path& path, float aspect_ratio,
+                    int scale_exponent) {
     const toml::node* models = table.get("model");
     const toml::node* sample = table.get("sample");
     const toml::node* name = table.get("name");
@@ -350,9 +362,9 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
         throw toml_error(name->source(), "a sample has its own name. Remove name.");
     }
     if (sample != nullptr) {
-        return read_sample(*sample, aspect_ratio);
+        return read_sample(*sample, aspect_ratio, scale_exponent);
     }
-    Scene scene = read_models(*models, path);
+    Scene scene = read_models(*models, path, scale_exponent);
     if (name != nullptr) {
         scene.name = toml_string(*name, "name");
     }
@@ -361,11 +373,12 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
 
 } // namespace
 
-Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio) {
+Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio,
+                      int scale_exponent) {
     const toml::table table = parse(text, path);
     check_toml_keys(table, "a scene file",
                     {"name", "sample", "model", "camera", "light", "background", "sky"});
-    Scene scene = read_geometry(table, path, aspect_ratio);
+    Scene scene = read_geometry(table, path, aspect_ratio, scale_exponent);
     if (const toml::node* background = table.get("background")) {
         scene.background = toml_color(*background, "background");
     }
@@ -373,13 +386,13 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
         scene.sky = toml_sky(*sky);
     }
     if (const toml::node* camera = table.get("camera")) {
-        scene.camera = toml_camera(*camera);
+        scene.camera = scaled(toml_camera(*camera), scale_exponent);
     } else if (!scene.models.empty()) {
         scene.camera = frame_camera(scene, aspect_ratio);
         scene.messages.push_back("No camera in " + path.string() + ": it was placed to show all.");
     }
     if (const toml::node* lights = table.get("light")) {
-        scene.lights = toml_lights(*lights);
+        scene.lights = toml_lights(*lights, scale_exponent);
     } else if (!scene.models.empty()) {
         scene.lights = find_lights(scene);
         scene.messages.push_back("No light in " + path.string() + ": " +

@@ -15,6 +15,7 @@
 #include "render/trace_rays.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
 
@@ -154,7 +155,8 @@ const Limits& limits() {
 
 Answer answer_picture(const CourseQuestion& question) {
     const Scene scene = scene_of(question);
-    SceneTextures textures = upload(question, scene, reach_of(scene.camera.eye, scene.corners));
+    SceneTextures textures =
+        upload(question, scene, reach_of(origins_of(scene.camera), scene.corners));
     Image image;
     if (question.subject == "whitted") {
         WhittedRenderer renderer(scene, std::move(textures), parts_of(question), limits());

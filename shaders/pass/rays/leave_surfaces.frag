@@ -24,11 +24,13 @@ void main() {
     from.c = triangle_corner(hit.triangle, 2);
     precise real3 point = from.a + hit.u * (from.b - from.a) + hit.v * (from.c - from.a);
     from.point = point;
-    from.normal = unit(cross_product(from.b - from.a, from.c - from.a));
+    real3 leaving = real3(texelFetch(leaving_directions, pixel, 0));
+    real3 upright = cross_product(from.b - from.a, from.c - from.a);
+    from.normal = unit(is_zero(upright) ? leaving : upright);
 
     Ray ray;
     ray.origin = leaving_point(from);
-    ray.direction = real3(texelFetch(leaving_directions, pixel, 0));
+    ray.direction = leaving;
     ray.t_min = real(leaving_t_min);
     ray.t_max = hit.triangle >= 0 ? real(farthest) : -real(1.0f);
     ray_origin = pack_ray_origin(ray);

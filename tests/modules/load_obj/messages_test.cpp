@@ -20,18 +20,27 @@ Loaded load_with_messages(const std::string& name) {
 
 } // namespace
 
-TEST_CASE("faces without area are dropped and counted by line", "[obj]") {
+TEST_CASE("faces with fewer than three different corners are dropped and counted by line",
+          "[obj]") {
     const Loaded loaded = load_with_messages("zero_area.obj");
-    CHECK(loaded.triangles == 1);
-    CHECK_THAT(loaded.messages, contains_text("zero_area.obj:6: A face without area was dropped, "
-                                              "3 times (lines 6, 8, 9)."));
+    CHECK(loaded.triangles == 2);
+    CHECK_THAT(loaded.messages,
+               contains_text("zero_area.obj:8: A face with fewer than three different corners was "
+                             "dropped, 2 times (lines 8, 9)."));
+}
+
+TEST_CASE("a face whose corners lie on one line is kept and said", "[obj]") {
+    CHECK_THAT(load_with_messages("zero_area.obj").messages,
+               contains_text("zero_area.obj:6: A face has a triangle whose corners lie on one "
+                             "line; it is kept, since it may close a slit."));
 }
 
 TEST_CASE("a face that repeats a vertex is dropped or drawn without the repetition", "[obj]") {
     const Loaded loaded = load_with_messages("repeated_index.obj");
     CHECK(loaded.triangles == 2);
     CHECK_THAT(loaded.messages,
-               contains_text("A face without area was dropped, 2 times (lines 5, 8)."));
+               contains_text("A face with fewer than three different corners was dropped, 2 times "
+                             "(lines 5, 8)."));
     CHECK_THAT(loaded.messages, contains_text("repeated_index.obj:6: A face names a vertex twice "
                                               "in a row; it is drawn as if once, 2 times "
                                               "(lines 6, 7)."));

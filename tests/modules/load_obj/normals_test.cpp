@@ -52,6 +52,20 @@ TEST_CASE("the corner of a cube gets the diagonal however its faces are cut", "[
     check_same_direction(normals[1], glm::vec3(0, 0, 1));
 }
 
+TEST_CASE("a triangle without area has the normals of the triangles around it", "[normals]") {
+    // Two squares at a right angle; between them a triangle on a line that is part of their edge.
+    const glm::vec3 a(0, 0, 0), b(2, 0, 0), middle(1, 0, 0), up(0, 2, 0), out(0, 0, 2);
+    const std::array<glm::vec3, 9> corners = {a, b, up, a, out, b, a, middle, b};
+    std::array<std::int64_t, 9> surfaces;
+    surfaces.fill(flat);
+    const std::vector<glm::vec3> normals = corner_normals(corners, surfaces);
+    for (const std::size_t at : {6, 8}) { // both meet it at equal angles there
+        check_same_direction(normals[at], glm::normalize(glm::vec3(0, 1, 1)));
+    }
+    CHECK(has_unit_length(normals[7])); // nobody else has that corner
+    CHECK(normals[7].x == 0.0f);        // across the line
+}
+
 TEST_CASE("where smooth normals cancel out each triangle keeps its own", "[obj]") {
     const Scene scene = load_obj(corpus_file("smooth_both_sides.obj"));
     CHECK(scene.normals[0] == glm::vec3(0, 0, 1));
@@ -85,11 +99,11 @@ TEST_CASE("smooth normals have length 1 and do not depend on the order of corner
             corners.emplace_back(place % 3, place / 3 % 3, place / 9);
             surfaces.push_back(place);
         }
-        for (std::size_t i = 0; i < corners.size(); i += 3)
-            RC_PRE(area_vector(corners[i], corners[i + 1], corners[i + 2]) != glm::dvec3(0));
         const std::vector<glm::vec3> normals = corner_normals(corners, surfaces);
         for (const glm::vec3& normal : normals)
             RC_ASSERT(has_unit_length(normal));
+        for (std::size_t i = 0; i < corners.size(); i += 3) // else any normal across will do
+            RC_PRE(area_vector(corners[i], corners[i + 1], corners[i + 2]) != glm::dvec3(0));
 
         std::vector<glm::vec3> turned;
         std::vector<std::int64_t> turned_surfaces;

@@ -164,7 +164,14 @@ TEST_CASE("polygons that cross themselves or have no area still end", "[polygon]
     CHECK(triangle_count(load_obj(corpus_file("bow_tie.obj"))) <= 2);
     CHECK(triangulate_polygon(Polygon(9, {1, 2, 3})).empty());
     CHECK(triangulate_polygon(Polygon{}).empty());
-    CHECK(triangulate_polygon(Polygon{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).empty());
+    CHECK(triangulate_polygon(Polygon{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).size() == 2);
+}
+
+TEST_CASE("a triangle without area is kept unless two of its corners are one", "[polygon]") {
+    CHECK(triangulate_polygon(Polygon{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}) ==
+          std::vector<PolygonTriangle>{{0, 1, 2}});
+    CHECK(triangulate_polygon(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}).empty());
+    CHECK(triangulate_polygon(Polygon{{0, 0, 0}, {1, 0, 0}, {-0.0f, 0, 0}}).empty());
 }
 
 TEST_CASE("stars and combs and spirals are covered once", "[polygon]") {

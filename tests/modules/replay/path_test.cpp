@@ -15,7 +15,8 @@ using namespace raysteps;
 
 TEST_CASE("a path has the rays that the mirror asks for to shade the pixel", "[replay][path]") {
     const Scene scene = load_scene("mirrors", 1.0f);
-    const Replayed replayed(scene, "bvh_ordered", reach_of(scene.camera.eye, scene.corners));
+    const Replayed replayed(scene, "bvh_ordered",
+                            reach_of(origins_of(scene.camera), scene.corners));
     const View view = view_of(scene.camera, 1.0);
     auto mirror = mirror::mirror_of<mirror::walks::every_triangle<float>>(replayed.buffers);
     int bounces = 0;
