@@ -127,7 +127,7 @@ bool Stage::CountSource::operator==(const CountSource& other) const {
 }
 
 void Stage::show(const State& state) {
-    load({state.scene, state.hard_case, aspect_ratio(state.picture)});
+    load({state.scene, state.hard_case, aspect_ratio(state.picture)}, state.camera);
     camera_ = state.camera.value_or(scene_.camera);
     const std::optional<Ray> ray = ray_of(state);
     build({state.structures, state.build_values, reach_with(ray)});
@@ -139,7 +139,7 @@ void Stage::show(const State& state) {
     }
 }
 
-void Stage::load(const SceneSource& source) {
+void Stage::load(const SceneSource& source, const std::optional<Camera>& camera) {
     if (loaded_ == source) {
         return;
     }
@@ -147,7 +147,7 @@ void Stage::load(const SceneSource& source) {
     HardScene hard;
     if (source.hard_case.empty()) {
         say_("loading " + source.scene);
-        scene = load_scene(source.scene, source.aspect_ratio);
+        scene = load_scene(source.scene, source.aspect_ratio, camera);
     } else {
         const HardCase& hard_case = find_hard_case(source.hard_case);
         say_("making " + hard_case.name);

@@ -101,8 +101,16 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
     return text;
 }
 
+// For a scene that is too large to place a camera in front of it.
+std::optional<Camera> camera_instead(const PictureOptions& picture) {
+    if (!picture.camera.empty()) {
+        return parse_camera(picture.camera, Camera{});
+    }
+    return picture.needs_camera ? std::nullopt : std::optional(Camera{});
+}
+
 Scene load(const PictureOptions& picture) {
-    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size));
+    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size), camera_instead(picture));
     if (!picture.camera.empty()) {
         scene.camera = parse_camera(picture.camera, scene.camera);
     }

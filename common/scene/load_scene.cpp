@@ -29,12 +29,13 @@ std::string lower_case(std::string text) {
 }
 
 // The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
-Scene load_bare_obj(const fs::path& path, float aspect_ratio) {
+Scene load_bare_obj(const fs::path& path, float aspect_ratio,
+                    const std::optional<Camera>& instead) {
     Scene model = load_obj(path);
     model.models = {{fs::absolute(path).lexically_normal().string(), glm::mat4(1.0f)}};
     Scene scene = append_model({}, model, glm::mat4(1.0f));
     scene.name = model.name;
-    return frame_scene(std::move(scene), aspect_ratio);
+    return frame_scene(std::move(scene), aspect_ratio, instead);
 }
 
 constexpr std::size_t column_width = 22;
@@ -54,17 +55,18 @@ std::string line_of(const SampleScene& sample) {
 
 } // namespace
 
-Scene load_scene(const std::string& name, float aspect_ratio) {
+Scene load_scene(const std::string& name, float aspect_ratio,
+                 const std::optional<Camera>& instead) {
     if (is_sample_name(name)) {
         return make_sample_scene(name, aspect_ratio);
     }
     const fs::path path(name);
     const std::string extension = lower_case(path.extension().string());
     if (extension == ".obj") {
-        return load_bare_obj(path, aspect_ratio);
+        return load_bare_obj(path, aspect_ratio, instead);
     }
     if (extension == ".toml") {
-        return read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio);
+        return read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio, instead);
     }
     std::error_code error;
     if (fs::exists(path, error)) {

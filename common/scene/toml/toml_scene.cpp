@@ -361,7 +361,8 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
 
 } // namespace
 
-Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio) {
+Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio,
+                      const std::optional<Camera>& instead) {
     const toml::table table = parse(text, path);
     check_toml_keys(table, "a scene file",
                     {"name", "sample", "model", "camera", "light", "background", "sky"});
@@ -375,7 +376,7 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
     if (const toml::node* camera = table.get("camera")) {
         scene.camera = toml_camera(*camera);
     } else if (!scene.models.empty()) {
-        scene.camera = frame_camera(scene, aspect_ratio);
+        scene.camera = frame_camera(scene, aspect_ratio, instead);
         scene.messages.push_back("No camera in " + path.string() + ": it was placed to show all.");
     }
     if (const toml::node* lights = table.get("light")) {
