@@ -128,8 +128,12 @@ bool Stage::CountSource::operator==(const CountSource& other) const {
 }
 
 void Stage::show(const State& state) {
-    load({state.scene, state.hard_case, aspect_ratio(state.picture), state.scale_exponent});
-    camera_ = state.camera ? scaled(*state.camera, state.scale_exponent) : scene_.camera;
+    std::optional<Camera> camera = state.camera;
+    if (camera) {
+        camera = scaled(*camera, state.scale_exponent);
+    }
+    load({state.scene, state.hard_case, aspect_ratio(state.picture), state.scale_exponent}, camera);
+    camera_ = camera.value_or(scene_.camera);
     const std::optional<Ray> ray = ray_of(state);
     build({state.structures, state.build_values, reach_with(ray)});
     note_.clear();
@@ -140,7 +144,7 @@ void Stage::show(const State& state) {
     }
 }
 
-void Stage::load(const SceneSource& source) {
+void Stage::load(const SceneSource& source, const std::optional<Camera>& camera) {
     if (loaded_ == source) {
         return;
     }
@@ -148,7 +152,8 @@ void Stage::load(const SceneSource& source) {
     HardScene hard;
     if (source.hard_case.empty()) {
         say_("loading " + source.scene);
-        scene = load_scene(source.scene, source.aspect_ratio, source.scale_exponent);
+        scene = load_scene(source.scene, source.aspect_ratio,
+                           {.scale_exponent = source.scale_exponent, .instead = camera});
     } else {
         const HardCase& hard_case = find_hard_case(source.hard_case);
         say_("making " + hard_case.name);

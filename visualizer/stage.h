@@ -64,7 +64,7 @@ private:
         bool operator==(const CountSource&) const;
     };
 
-    void load(const SceneSource& source);
+    void load(const SceneSource& source, const std::optional<Camera>& camera);
     void build(const StructureSource& source);
     void record(const PathSource& source);
     void count(const CountSource& source);

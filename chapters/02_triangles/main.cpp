@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     options.flag("--exhibit", exhibit, "compare the paper's listing, as printed and repaired");
     options.excludes("--exhibit", {"--rays", "--window"});
     return options.run(argc, argv, [&] {
+        picture.needs_camera = tracing.rays.empty();
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (exhibit) {

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     add_trace_options(options, tracing);
     options.number("--max-bounces", max_bounces, "how many mirrors a path is followed to", 0, 1000);
     return options.run(argc, argv, [&] {
+        picture.needs_camera = tracing.rays.empty();
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (!tracing.rays.empty()) {

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     options.excludes("--plot",
                      {"--rays", "--window", "--measure", "--view", "--resolution", "--density"});
     return options.run(argc, argv, [&] {
+        picture.needs_camera = tracing.rays.empty();
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (plot) {

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     options.flag("--measure", measure, "measure all walks of the hierarchy, side by side");
     options.excludes("--measure", {"--rays", "--window", "--structure", "--view"});
     return options.run(argc, argv, [&] {
+        picture.needs_camera = tracing.rays.empty();
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (measure) {

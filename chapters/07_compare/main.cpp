@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     options.flag("--builds", builds, "only build: our BVH and Embree's, in turn, on one thread");
     return options.run(argc, argv, [&] {
         if (!tracing.rays.empty()) {
+            picture.needs_camera = false;
             const Scene scene = load_scene(picture);
             const auto context = open_context(picture);
             trace_ray_file(picture, tracing, scene);

@@ -12,12 +12,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raysteps {
 
 namespace {
+
+glm::dvec3 corner_of(std::span<const glm::vec3> corners, int triangle, std::size_t corner) {
+    return glm::dvec3(corners[3 * static_cast<std::size_t>(triangle) + corner]);
+}
 
 bool share_a_corner(int a, int b, std::span<const glm::vec3> corners) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -31,19 +36,62 @@ bool share_a_corner(int a, int b, std::span<const glm::vec3> corners) {
     return false;
 }
 
-// Whether a hit is at the triangle or at a neighbour of it; or both are misses.
-bool is_there_too(int found, int true_triangle, std::span<const glm::vec3> corners) {
-    if (found == no_triangle || true_triangle == no_triangle) {
-        return found == true_triangle;
-    }
-    return share_a_corner(found, true_triangle, corners);
-}
-
 // How far rounding may move the ray, seen as a line.
 float rounding_of(const Ray& ray, const Box& box) {
     const glm::vec3 farthest = glm::max(ray.origin - box.lower, box.upper - ray.origin);
     return static_cast<float>(
         padding_for(static_cast<double>(std::max({farthest.x, farthest.y, farthest.z}))));
+}
+
+// Where a ray's line meets the plane of a triangle, without rounding, and by how much t changes
+// there for each unit of length by which the ray is moved along every axis.
+struct PlaneCrossing {
+    double t = 0.0;
+    double steepness = 0.0;
+};
+
+// Nothing where the ray is parallel to the plane, or the triangle has no area.
+std::optional<PlaneCrossing> crossing_of(const Ray& ray, int triangle,
+                                         std::span<const glm::vec3> corners) {
+    const auto first = 3 * static_cast<std::size_t>(triangle);
+    const ExactSolution solution =
+        solve_exactly(ray, {corners[first], corners[first + 1], corners[first + 2]});
+    const glm::dvec3 a = corner_of(corners, triangle, 0);
+    const glm::dvec3 normal =
+        glm::cross(corner_of(corners, triangle, 1) - a, corner_of(corners, triangle, 2) - a);
+    const double along = std::abs(glm::dot(normal, glm::dvec3(ray.direction)));
+    if (!solution.unique || along == 0.0) {
+        return std::nullopt;
+    }
+    const double across = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+    return PlaneCrossing{nearest_double(solution.t), across / along};
+}
+
+// The true t of the triangle that a method names, where that is the true one or does as well: a
+// neighbour that the ray cannot be told to miss. Nothing where the triangle is another one.
+//
+// A neighbour does as well if the ray, moved by at most `by` along each axis, runs through a point
+// that the two share, and so meets both planes at one and the same t. A plane n x = c is met at
+// t = (c - n o) / (n d). To move the origin o by at most `by` along each axis changes that by at
+// most by (|n_x| + |n_y| + |n_z|) / |n d|, exactly. So without being moved the ray meets the two
+// planes at t that differ by no more than the two changes together. Where they differ by more, no
+// ray that is so near runs through what they share: whoever names the neighbour lost the triangle.
+std::optional<double> true_t_of(int found, const ReferenceHit& truth, const Ray& ray,
+                                std::span<const glm::vec3> corners, double by) {
+    if (found == truth.triangle) {
+        return truth.t;
+    }
+    if (found == no_triangle || truth.triangle == no_triangle ||
+        !share_a_corner(found, truth.triangle, corners)) {
+        return std::nullopt;
+    }
+    const std::optional<PlaneCrossing> there = crossing_of(ray, found, corners);
+    const std::optional<PlaneCrossing> here = crossing_of(ray, truth.triangle, corners);
+    if (!there || !here ||
+        std::abs(there->t - here->t) > by * (there->steepness + here->steepness)) {
+        return std::nullopt;
+    }
+    return there->t;
 }
 
 // The ray moved by that much, aside of the axis along which it mainly goes: to four sides.
@@ -63,10 +111,6 @@ struct Disputed {
     std::size_t ray = 0;
     bool is_missed = false; // else there is one too many
 };
-
-glm::dvec3 corner_of(std::span<const glm::vec3> corners, int triangle, std::size_t corner) {
-    return glm::dvec3(corners[3 * static_cast<std::size_t>(triangle) + corner]);
-}
 
 // The ray moved by that much away from the middle of the triangle that was missed: past a sharp
 // corner, no other way would do.
@@ -129,8 +173,10 @@ std::vector<bool> pass_outlines(std::span<const Disputed> disputed, const Questi
     }
     const std::vector<ReferenceHit> found = exact_nearest_hits(moved, question.corners);
     for (std::size_t k = 0; k < moved.size(); ++k) {
-        const int true_triangle = question.truth[disputed[moved_for[k]].ray].triangle;
-        if (!is_there_too(found[k].triangle, true_triangle, question.corners)) {
+        const std::size_t n = disputed[moved_for[k]].ray;
+        // Moved once already, it may have to go back as far.
+        const double by = 2.0 * static_cast<double>(rounding_of(question.rays[n], box));
+        if (!true_t_of(found[k].triangle, question.truth[n], moved[k], question.corners, by)) {
             outlines[moved_for[k]] = true;
         }
     }
@@ -201,15 +247,19 @@ Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
                     std::span<const ReferenceHit> truth, std::span<const glm::vec3> corners) {
     std::vector<Disputed> disputed;
     std::vector<float> errors;
+    const Box box = bounds_of(corners);
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const auto t = static_cast<double>(hits[i].t);
-        if (!is_there_too(hits[i].triangle, truth[i].triangle, corners)) {
+        const std::optional<double> true_t =
+            true_t_of(hits[i].triangle, truth[i], rays[i], corners,
+                      static_cast<double>(rounding_of(rays[i], box)));
+        if (!true_t) {
             const bool is_there = truth[i].triangle != no_triangle;
             const bool found = hits[i].triangle != no_triangle;
             disputed.push_back({i, is_there && (!found || t > truth[i].t)});
         } else if (hits[i].triangle != no_triangle) {
             errors.push_back(
-                static_cast<float>(std::abs(t - truth[i].t) / unit_in_last_place(truth[i].t)));
+                static_cast<float>(std::abs(t - *true_t) / unit_in_last_place(*true_t)));
         }
     }
     const std::vector<bool> outlines = pass_outlines(disputed, {rays, hits, truth, corners});

@@ -17,9 +17,13 @@ double unit_in_last_place(double value);
 // The name of the fault that is a hit lost. On a closed mesh, it is a leak.
 inline const std::string missed_hit = "missed";
 
-// Compares hits with the true ones, ray by ray. A hit at the true triangle, or at one that has a
-// corner in common with it, is right: the error of its t is taken, in ulp of the true t. (Which of
-// two neighbours a ray at their edge belongs to is no question of accuracy.) Where there should be
+// Compares hits with the true ones, ray by ray. A hit at the true triangle is right: the error of
+// its t is taken, in ulp of the true t. So is one at a neighbour, a triangle that has a corner in
+// common with the true one, if the ray cannot be told to miss it: if exact arithmetic puts the two
+// at the same t, but for what the padding below makes of it (judges.cpp derives the bound). The
+// error is that from the neighbour's own exact t. (Which of two neighbours a ray at their edge
+// belongs to is no question of accuracy. But a ray that leaks through an edge, and meets a
+// neighbour from behind, farther on, has missed.) Where there should be
 // a hit and there is none, or one farther on, it was missed. Where there should be none, or the one
 // found lies nearer than the true one, it is false.
 //

@@ -104,8 +104,10 @@ std::string measures_of(const Findings& findings, const std::string& between) {
 // For people: one line per family and method.
 std::string table_of(const TradeOffResult& result) {
     std::string table = fmt::format(
-        "\n{}: {}\nfaults are per million cases, with 95 % bounds{}\n", result.name,
-        result.question, result.unit_of_error.empty() ? "" : "; error: " + result.unit_of_error);
+        "\n{}: {}\nfaults are per million cases, in brackets with 95 % confidence: of some, both "
+        "bounds (two-sided), of none, < the upper one (one-sided){}\n",
+        result.name, result.question,
+        result.unit_of_error.empty() ? "" : "; error: " + result.unit_of_error);
     for (const std::string& family : families_of(result)) {
         table += "  " + family + "\n";
         for (const Measurement& one : result.measurements) {
@@ -131,8 +133,9 @@ std::string table_of(const TradeOffResult& result) {
 // For programs: a line of names, then one line per trade-off, family and method.
 std::string to_csv(std::span<const TradeOffResult> results) {
     std::string csv = "trade_off,family,method,timed_cases,nanoseconds,lowest,highest,faults,of,"
-                      "per_million,lower_bound,upper_bound,error_median,error_99,error_largest,"
-                      "unit_of_error,measures\n";
+                      "per_million,two_sided_lower_bound,two_sided_upper_bound,"
+                      "one_sided_upper_bound,error_median,error_99,error_largest,unit_of_error,"
+                      "measures\n";
     for (const TradeOffResult& result : results) {
         for (const Measurement& one : result.measurements) {
             const Fault total = total_fault(one.findings);
@@ -141,9 +144,12 @@ std::string to_csv(std::span<const TradeOffResult> results) {
                    csv_field(one.method) +
                    fmt::format(",{},{:.9g},{:.9g},{:.9g},", one.timed_cases, one.cost.median,
                                one.cost.lowest, one.cost.highest);
-            csv += total.of == 0 ? ",,,,,"
-                                 : fmt::format("{},{},{:.9g},{:.9g},{:.9g},", total.count, total.of,
-                                               rate.counted, rate.lowest, rate.highest);
+            csv += total.of == 0
+                       ? ",,,"
+                       : fmt::format("{},{},{:.9g},", total.count, total.of, rate.counted);
+            csv += total.of == 0        ? ",,,"
+                   : is_one_sided(rate) ? fmt::format(",,{:.9g},", rate.highest)
+                                        : fmt::format("{:.9g},{:.9g},,", rate.lowest, rate.highest);
             const auto& error = one.findings.error;
             csv += error ? fmt::format("{:.9g},{:.9g},{:.9g},", error->median, error->percentile_99,
                                        error->largest)
@@ -181,9 +187,16 @@ std::string to_word(TradeOffKind kind) {
     return "speed_only";
 }
 
-Numbers rate_numbers(const FaultRate& rate) {
-    return {
-        {"per_million", rate.counted}, {"lower_bound", rate.lowest}, {"upper_bound", rate.highest}};
+// The numbers with the rate's: an upper bound that stands alone has another name than one of two.
+Numbers with_rate(Numbers numbers, const FaultRate& rate) {
+    numbers["per_million"] = rate.counted;
+    if (is_one_sided(rate)) {
+        numbers["one_sided_upper_bound"] = rate.highest;
+        return numbers;
+    }
+    numbers["two_sided_lower_bound"] = rate.lowest;
+    numbers["two_sided_upper_bound"] = rate.highest;
+    return numbers;
 }
 
 // A method over all families.
@@ -194,7 +207,7 @@ Numbers method_numbers(const MethodSummary& method, bool dominated) {
                     {"highest", method.cost.highest},
                     {"dominated", dominated}};
     if (method.faults) {
-        numbers["faults"] = rate_numbers(*method.faults);
+        numbers["faults"] = with_rate(empty_object(), *method.faults);
     }
     if (method.error) {
         numbers["error"] = *method.error;
@@ -208,13 +221,9 @@ Numbers measurement_numbers(const Measurement& one) {
                     {"lowest", one.cost.lowest},      {"highest", one.cost.highest},
                     {"faults", empty_list()},         {"measures", empty_object()}};
     for (const Fault& fault : one.findings.faults) {
-        const FaultRate rate = fault_rate(fault.count, fault.of);
-        numbers["faults"].push_back({{"name", fault.name},
-                                     {"count", fault.count},
-                                     {"of", fault.of},
-                                     {"per_million", rate.counted},
-                                     {"lower_bound", rate.lowest},
-                                     {"upper_bound", rate.highest}});
+        numbers["faults"].push_back(
+            with_rate({{"name", fault.name}, {"count", fault.count}, {"of", fault.of}},
+                      fault_rate(fault.count, fault.of)));
     }
     if (one.findings.error) {
         numbers["error"] = Numbers{{"median", one.findings.error->median},

@@ -109,7 +109,7 @@ FaultRate fault_rate(std::size_t count, std::size_t of) {
 }
 
 std::string to_string(const FaultRate& rate) {
-    if (rate.counted == 0.0) {
+    if (is_one_sided(rate)) {
         return fmt::format("0 (<{:.0f})", std::ceil(rate.highest));
     }
     return fmt::format("{:.0f} ({:.0f} to {:.0f})", rate.counted, rate.lowest, rate.highest);

@@ -20,18 +20,25 @@ struct Fault {
 };
 
 // How often something happens, in millionths: as it was counted, and between which bounds the truth
-// lies with a confidence of 95 %.
+// lies. Where there was a fault, with a confidence of 95 % for the two of them: two-sided. Where
+// there was none, nothing lies below, and the upper one alone has the 95 %: one-sided. So an upper
+// bound of one kind is not to be compared with one of the other as if they said the same.
 struct FaultRate {
     double counted = 0.0;
     double lowest = 0.0;
     double highest = 0.0;
 };
 
-// Of 0 in n the upper bound is 3 / n (Hanley and Lippman-Hand, "If Nothing Goes Wrong, Is
-// Everything All Right?", 1983); else the bounds are Wilson's ("Probable Inference, the Law of
-// Succession, and Statistical Inference", 1927). Of no case at all nothing is known: 0 to a
-// million.
+// Of 0 in n the upper bound is 3 / n, one-sided (Hanley and Lippman-Hand, "If Nothing Goes Wrong,
+// Is Everything All Right?", 1983); else the bounds are Wilson's, two-sided ("Probable Inference,
+// the Law of Succession, and Statistical Inference", 1927). Of no case at all nothing is known: 0
+// to a million.
 FaultRate fault_rate(std::size_t count, std::size_t of);
+
+// Whether its upper bound stands alone.
+inline bool is_one_sided(const FaultRate& rate) {
+    return rate.counted == 0.0;
+}
 
 // `0 (<183)`, `101637 (101045 to 102232)`: per million.
 std::string to_string(const FaultRate& rate);

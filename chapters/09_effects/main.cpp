@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
             }
             return;
         }
+        picture.needs_camera = tracing.rays.empty();
         const Scene scene = with_samples(load_scene(picture), effects);
         const auto context = open_context(picture);
         if (!tracing.rays.empty()) {

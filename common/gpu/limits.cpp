@@ -45,10 +45,15 @@ void check_bits() {
 
 } // namespace
 
+int most_buffer_texels() {
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    return texels;
+}
+
 Limits measure_limits() {
     Limits limits{};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.texture_size);
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limits.buffer_texels);
     check_bits();
     limits.loop_budget = measure_loop_budget();
     if (limits.loop_budget < least_loop_budget) {

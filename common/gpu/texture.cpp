@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "gpu/gl.h"
+#include "gpu/limits.h"
 
 #include <cassert>
 #include <string>
@@ -128,8 +129,7 @@ BufferTexture::BufferTexture(std::span<const std::int32_t> texels)
 
 BufferTexture::BufferTexture(const void* bytes, std::size_t size, std::size_t texels,
                              GLenum format) {
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    const int limit = most_buffer_texels();
     if (texels > static_cast<std::size_t>(limit)) {
         throw MachineError("A buffer texture of " + std::to_string(texels) +
                            " texels is asked for, but this machine's OpenGL has at most " +

@@ -1,6 +1,7 @@
 #include "measure/measure_structures.h"
 
 #include "basics/error.h"
+#include "gpu/limits.h"
 #include "measure/contest.h"
 #include "measure/ray_kinds.h"
 #include "render/rays.h"
@@ -62,7 +63,9 @@ BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>&
         if (built.contains(family.name)) {
             continue;
         }
-        const BuildRequest request{.reach = reach, .values = own_values(family, values)};
+        const BuildRequest request{.reach = reach,
+                                   .values = own_values(family, values),
+                                   .most_texels = most_buffer_texels()};
         built.emplace(family.name, upload(scene, family.build(scene.corners, request)));
     }
     return built;

@@ -102,9 +102,18 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
     return text;
 }
 
+// For a scene that is too large to place a camera in front of it.
+std::optional<Camera> camera_instead(const PictureOptions& picture) {
+    if (!picture.camera.empty()) {
+        return scaled(parse_camera(picture.camera, Camera{}), picture.scale_exponent);
+    }
+    return picture.needs_camera ? std::nullopt : std::optional(Camera{});
+}
+
 Scene load(const PictureOptions& picture) {
     const int exponent = picture.scale_exponent;
-    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size), exponent);
+    Scene scene = load_scene(picture.scene, aspect_ratio(picture.size),
+                             {.scale_exponent = exponent, .instead = camera_instead(picture)});
     if (!picture.camera.empty()) { // in the lengths of the file
         scene.camera =
             scaled(parse_camera(picture.camera, scaled(scene.camera, -exponent)), exponent);

@@ -108,6 +108,7 @@ struct PictureOptions {
     std::filesystem::path json{};
     ContextKind context = ContextKind::automatic;
     bool window = false;
+    bool needs_camera = true; // else a scene too large for one will do as well
 };
 
 // --scene --size --camera --scale-exponent --out --json --context --window --print-scene

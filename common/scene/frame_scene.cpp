@@ -4,6 +4,7 @@
 #include "scene/obj/obj_file.h"
 #include "scene/view.h"
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -131,15 +132,22 @@ Camera frame_box(const Box& box, float aspect_ratio) {
     return camera;
 }
 
-Camera frame_camera(const Scene& scene, float aspect_ratio) {
+Camera frame_camera(const Scene& scene, float aspect_ratio, const std::optional<Camera>& instead) {
     const Camera camera = frame_box(bounds_of(scene.corners), aspect_ratio);
-    const glm::vec3 farthest = glm::abs(camera.eye);
-    if (!(std::max({farthest.x, farthest.y, farthest.z}) <= greatest_coordinate)) {
-        throw InputError(scene.name +
-                         ": this is too large for a camera in front of it: the eye would "
-                         "be beyond 1.8e18. Scale it down, or name a camera.");
+    const float farthest = greatest_of(camera.eye);
+    if (farthest <= greatest_coordinate) {
+        return camera;
     }
-    return camera;
+    if (instead && greatest_of(instead->eye) <= greatest_coordinate) {
+        return *instead;
+    }
+    const double scale =
+        std::exp2(-std::ceil(std::log2(static_cast<double>(farthest) / greatest_coordinate)));
+    throw InputError(fmt::format(
+        "{}: this is too large for a camera in front of it: the eye would be at {:.2g}, beyond "
+        "1.8e18. Name one with --camera, or in a scene file, a .toml with [camera]; or let that "
+        "file make the model smaller, with scale = {}, which changes no digit.",
+        scene.name, farthest, scale));
 }
 
 std::vector<Light> place_lights(const Camera& camera) {
@@ -162,8 +170,8 @@ std::vector<Light> find_lights(Scene& scene) {
     return lights;
 }
 
-Scene frame_scene(Scene scene, float aspect_ratio) {
-    scene.camera = frame_camera(scene, aspect_ratio);
+Scene frame_scene(Scene scene, float aspect_ratio, const std::optional<Camera>& instead) {
+    scene.camera = frame_camera(scene, aspect_ratio, instead);
     scene.lights = find_lights(scene);
     scene.background = calm_background;
     return scene;

@@ -3,6 +3,7 @@
 #include "basics/box.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <vector>
 
 namespace raysteps {
@@ -11,9 +12,11 @@ namespace raysteps {
 // over 0. For an empty box, the default camera.
 Camera frame_box(const Box& box, float aspect_ratio);
 
-// The same for all that the scene has. Throws InputError where the eye would be so far out, beyond
-// greatest_coordinate, that squares of distances overflow a float.
-Camera frame_camera(const Scene& scene, float aspect_ratio);
+// The same for all that the scene has. Where the eye would be so far out, beyond
+// greatest_coordinate, that squares of distances overflow a float, it is the camera `instead`;
+// throws InputError where there is none, or its eye is as far out.
+Camera frame_camera(const Scene& scene, float aspect_ratio,
+                    const std::optional<Camera>& instead = std::nullopt);
 
 // A bright light above left of the camera and a dim one on its right. Light in this project does
 // not fade with the distance and there is none from all around, so the dim one shows what the
@@ -26,7 +29,8 @@ std::vector<Light> find_lights(Scene& scene);
 
 // The scene with a camera, lights and a background, for a model that names none. Throws as
 // frame_camera does.
-Scene frame_scene(Scene scene, float aspect_ratio);
+Scene frame_scene(Scene scene, float aspect_ratio,
+                  const std::optional<Camera>& instead = std::nullopt);
 
 // Lights stay below this. It is what place_lights needs for an eye and a target below
 // greatest_coordinate: 1.8e18 + 1.07 * 2 * sqrt(3) * 1.8e18 = 8.5e18; and the square of a distance

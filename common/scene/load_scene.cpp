@@ -33,24 +33,24 @@ std::string lower_case(std::string text) {
 }
 
 // The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
-Scene load_bare_obj(const fs::path& path, float aspect_ratio, int scale_exponent) {
+Scene load_bare_obj(const fs::path& path, float aspect_ratio, const SceneRequest& request) {
     const glm::mat4 transform =
-        glm::scale(glm::mat4(1.0f), glm::vec3(std::ldexp(1.0f, scale_exponent)));
+        glm::scale(glm::mat4(1.0f), glm::vec3(std::ldexp(1.0f, request.scale_exponent)));
     Scene model = load_obj(path);
     model.models = {{fs::absolute(path).lexically_normal().string(), transform}};
     Scene scene = append_model({}, model, transform);
     for (Material& material : scene.materials) {
-        material = scaled(std::move(material), scale_exponent);
+        material = scaled(std::move(material), request.scale_exponent);
     }
     scene.name = model.name;
-    return frame_scene(std::move(scene), aspect_ratio);
+    return frame_scene(std::move(scene), aspect_ratio, request.instead);
 }
 
-Scene load_file(const fs::path& path, float aspect_ratio, int scale_exponent) {
+Scene load_file(const fs::path& path, float aspect_ratio, const SceneRequest& request) {
     Scene scene =
         lower_case(path.extension().string()) == ".obj"
-            ? load_bare_obj(path, aspect_ratio, scale_exponent)
-            : read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio, scale_exponent);
+            ? load_bare_obj(path, aspect_ratio, request)
+            : read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio, request);
     const std::string warning = warn_of_size(scene);
     if (!warning.empty()) {
         scene.messages.push_back(warning);
@@ -75,7 +75,8 @@ std::string line_of(const SampleScene& sample) {
 
 } // namespace
 
-Scene load_scene(const std::string& name, float aspect_ratio, int scale_exponent) {
+Scene load_scene(const std::string& name, float aspect_ratio, const SceneRequest& request) {
+    const int scale_exponent = request.scale_exponent;
     if (std::abs(scale_exponent) > greatest_scale_exponent) {
         throw InputError("--scale-exponent " + std::to_string(scale_exponent) + ": take one from " +
                          std::to_string(-greatest_scale_exponent) + " to " +
@@ -91,7 +92,7 @@ Scene load_scene(const std::string& name, float aspect_ratio, int scale_exponent
     const fs::path path(name);
     const std::string extension = lower_case(path.extension().string());
     if (extension == ".obj" || extension == ".toml") {
-        return load_file(path, aspect_ratio, scale_exponent);
+        return load_file(path, aspect_ratio, request);
     }
     std::error_code error;
     if (fs::exists(path, error)) {

@@ -3,16 +3,22 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace raysteps {
 
+// What is asked of a scene from a file besides its name.
+struct SceneRequest {
+    int scale_exponent = 0;          // all its lengths are multiplied by 2 to this power
+    std::optional<Camera> instead{}; // where it is too large for a camera in front of it
+};
+
 // Loads what --scene names: a sample scene (`cornell_box`, `sphereflake:3`), `bunny`, or the path
 // of an .obj or .toml file. The aspect ratio (width / height) lets the camera frame a bare model.
-// All lengths of a file are multiplied by 2^scale_exponent (scene/scaling.h). Throws InputError
-// with file and line where it cannot be used.
-Scene load_scene(const std::string& name, float aspect_ratio, int scale_exponent = 0);
+// Throws InputError with file and line where it cannot be used.
+Scene load_scene(const std::string& name, float aspect_ratio, const SceneRequest& request = {});
 
 // The scene as the text of a TOML scene file that load_scene reads back to the same scene.
 // A sample scene is named by its name.
@@ -23,8 +29,8 @@ std::string list_scenes();
 
 // The scene of a TOML scene file's text (docs/scene_files.md). The path names the file in
 // sentences, and the models' paths start in its folder. The aspect ratio is width / height, over 0.
-// All lengths are multiplied by 2^scale_exponent. Throws InputError with file, line and column.
+// Throws InputError with file, line and column.
 Scene read_toml_scene(std::string_view text, const std::filesystem::path& path, float aspect_ratio,
-                      int scale_exponent = 0);
+                      const SceneRequest& request = {});
 
 } // namespace raysteps

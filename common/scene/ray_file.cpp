@@ -5,6 +5,7 @@
 #include "basics/text.h"
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
@@ -139,6 +140,32 @@ std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
         check(rays[i], i, path);
     }
     return rays;
+}
+
+std::string unusual_lengths(std::span<const Ray> rays, const std::filesystem::path& path,
+                            double reach) {
+    const double longest = 0x1p103 * reach;
+    const double shortest = 0x1p-128 * reach;
+    const auto is_unusual = [&](const Ray& ray) {
+        const glm::vec3 sizes = glm::abs(ray.direction);
+        const auto length = static_cast<double>(std::max({sizes.x, sizes.y, sizes.z}));
+        bool is_uneven = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            is_uneven = is_uneven || std::fpclassify(ray.direction[axis]) == FP_SUBNORMAL;
+        }
+        return length > longest || length <= shortest || is_uneven;
+    };
+    const auto first = std::find_if(rays.begin(), rays.end(), is_unusual);
+    if (first == rays.end()) {
+        return "";
+    }
+    return fmt::format(
+        "{}: {} of {} rays (the first is ray {}, from 0) have directions so long or so short that "
+        "floats do not hold every t, and may hit otherwise with another --structure or on another "
+        "machine. Scale them to {:.2g} to {:.2g} for the longest component, and leave no other "
+        "under 1.2e-38 that is not 0.",
+        path.string(), std::count_if(first, rays.end(), is_unusual), rays.size(),
+        first - rays.begin(), std::max(shortest, 0x1p-126), std::min(longest, 0x1p126));
 }
 
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits) {

@@ -18,6 +18,19 @@ namespace raysteps {
 // InputError that names the file and the ray or line.
 std::vector<Ray> read_ray_file(const std::filesystem::path& path);
 
+// A sentence on those rays whose hits are not promised to be the same in every structure and on
+// every machine (docs/numerics.md), as t, or a product with their direction, is too small or too
+// large for a float; empty where there are none. The reach is that of the structures
+// (structure/padding.h), M:
+// - A GPU may put 0 for a number under 2^-126. For a t, that moves a point by up to 2^-126 |d|
+// along
+//   the longest axis of the direction d: for the t of a hit and for that of a plane. The padding
+//   has room for 7 e M = 7 * 2^-24 M, so for both as long as |d| <= 2^103 M.
+// - A hit as far as M has a t of M / |d|, which overflows from 2^128 on.
+// - A component under 2^-126 may be taken for 0, which is another direction.
+std::string unusual_lengths(std::span<const Ray> rays, const std::filesystem::path& path,
+                            double reach);
+
 // A .csv file with the columns t, u, v, triangle, or any other file as 16 bytes per hit: t, u, v as
 // little-endian float32 and the triangle as int32, -1 for none. Throws InputError.
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits);

@@ -3,6 +3,7 @@
 #include "basics/error.h"
 
 #include <algorithm>
+#include <iostream>
 #include <set>
 
 namespace raysteps {
@@ -56,6 +57,10 @@ std::map<std::string, BuildOption> all_build_options() {
         }
     }
     return merged;
+}
+
+void print_warning(const std::string& sentence) {
+    std::cerr << sentence << "\n";
 }
 
 void check_build_values(const std::map<std::string, std::string>& values,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -29,6 +30,9 @@ struct BuildOption {
     std::string meaning;
 };
 
+// Prints the sentence on a line of standard error.
+void print_warning(const std::string& sentence);
+
 // What a builder is asked for beside the triangles.
 struct BuildRequest {
     float reach = 0.0f; // the rays' origins lie at most so far from any corner, along each axis
@@ -36,6 +40,11 @@ struct BuildRequest {
         values{}; // of BuildOptions, by name; the initial where absent
     // Called with what the builder is about to take, in words, before it is taken.
     std::function<void(const std::string&)> say = [](const std::string&) {};
+    // Called with a sentence, before the long work, where the structure will serve badly.
+    std::function<void(const std::string&)> warn = print_warning;
+    // The most texels that an array may have: the GPU's limit, where a GPU is to read it. A builder
+    // that lists triangles more than once stops as soon as it knows that it will need more.
+    std::int64_t most_texels = std::numeric_limits<std::int32_t>::max();
 };
 
 // A measured property of a structure that was built: ("cells", 4096).
@@ -60,7 +69,8 @@ inline BuiltStructure every_triangle(int triangle_count) {
 
 // A structure that one builder makes for several walks. The family `kd` serves the walks
 // kd_*.glsl of shaders/structure/kd_tree (and would serve kd.glsl). Throws InputError where a value
-// of the request makes no sense, or where the memory would be too much.
+// of the request makes no sense, or where the memory would be too much, and MachineError where an
+// array would have more than the most texels.
 struct StructureFamily {
     std::string name;
     std::vector<BuildOption> options;

@@ -2,6 +2,7 @@
 #include "scene/view.h"
 
 #include "basics/error.h"
+#include "gpu/limits.h"
 #include "gpu/shaders.h"
 #include "program/output.h"
 #include "program/window/controls.h"
@@ -83,6 +84,7 @@ BuiltStructure build_structure(const std::string& structure, std::span<const glm
     const StructureFamily family = family_of(structure);
     check_build_values(request.values, {{structure}});
     request.say = print_memory;
+    request.most_texels = most_buffer_texels();
     const auto own = own_builders.find(family.name);
     BuiltStructure built;
     {

@@ -37,7 +37,8 @@ using Builder =
 
 // Builds the structure of that name over the triangles, three corners each, and prints the facts
 // of it. Its family's builder does it, or the one that a chapter has of its own for that family.
-// Throws InputError where the request has a value that the builder has no option for.
+// Throws InputError where the request has a value that the builder has no option for, and
+// MachineError where the GPU of the current context could not read the structure.
 BuiltStructure build_structure(const std::string& structure, std::span<const glm::vec3> corners,
                                BuildRequest request,
                                const std::map<std::string, Builder>& own_builders = {});

@@ -98,6 +98,12 @@ void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
     }
     const BuildRequest request{.reach = reach_of(rays, scene.corners),
                                .values = tracing.build_values};
+    const std::string unusual =
+        unusual_lengths(rays, tracing.rays,
+                        usual_reach(bounds_of(scene.corners), static_cast<double>(request.reach)));
+    if (!unusual.empty()) {
+        print_warning(unusual);
+    }
     const SceneTextures textures =
         upload(scene, build_structure(tracing.structure, scene.corners, request));
     TraceRays trace(trace_parts(tracing.triangle, tracing.structure), measure_limits());

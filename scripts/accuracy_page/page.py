@@ -45,18 +45,27 @@ figure img { width: 100%; display: block; image-rendering: pixelated; border: 1p
   .words td:first-child { font-weight: bold; } .advice td:last-child::before { content: "Take: "; } }
 """
 
-LEGEND = ("In the plots, left is cheaper and low is more accurate. Lines are ranges of rounds, and "
-          "bounds of 95 %. A triangle that points down is an upper bound: no fault was seen in so many "
-          "cases. Hollow marks are dominated: another method is surely better in one way, and surely "
+LEGEND = ("In the plots, left is cheaper and low is more accurate. Lines are ranges of rounds, "
+          "and two-sided bounds of 95 % (Wilson's) of a rate of faults; in the tables these stand as (lowest "
+          "to highest). A triangle that points down, and < in the tables, is a one-sided upper bound of "
+          "95 % (3/n): no fault was seen in n cases. Hollow marks are dominated: another method is surely better in one way, and surely "
           "worse in none. The tables below them have the same figures: the mean cost of the families, and the "
           "faults and the error of the family where the method did worst.")
 
 
+def rate_range(rate):
+    """Per million: counted, lowest, highest. Where none was counted, the highest is a one-sided bound."""
+    if "one_sided_upper_bound" in rate:
+        return rate["per_million"], 0.0, rate["one_sided_upper_bound"]
+    return rate["per_million"], rate["two_sided_lower_bound"], rate["two_sided_upper_bound"]
+
+
 def rate_words(rate):
-    """Per million, with the bounds: `0 (<184)`, `101637 (101045 to 102232)`."""
-    if rate["per_million"] == 0:
-        return f"0 (<{math.ceil(rate['upper_bound'])})"
-    return f"{rate['per_million']:.0f} ({rate['lower_bound']:.0f} to {rate['upper_bound']:.0f})"
+    """Per million, with the one bound or both: `0 (<184)`, `101637 (101045 to 102232)`."""
+    counted, lowest, highest = rate_range(rate)
+    if "one_sided_upper_bound" in rate:
+        return f"0 (<{math.ceil(highest)})"
+    return f"{counted:.0f} ({lowest:.0f} to {highest:.0f})"
 
 
 def _anchor(name):
@@ -101,7 +110,7 @@ def _plot(trade_off, y_label, height_of):
 
 def _faults(method):
     rate = method.get("faults")
-    return rate and (rate["per_million"], rate["lower_bound"], rate["upper_bound"])
+    return rate and rate_range(rate)
 
 
 def _error(method):

@@ -163,7 +163,8 @@ bool is_outside(const Frustum& frustum, const glm::vec3* corners) {
 
 } // namespace
 
-std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio) {
+std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio,
+                                           float faintest) {
     const std::vector<int> seen = triangles_in_view(scene, aspect_ratio);
     Calls calls;
     add_camera_effects(calls, scene);
@@ -171,8 +172,10 @@ std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_rat
     if (calls.has(Effect::diffuse)) {
         calls.add(Effect::textures, reason_of(scene, seen, has_texture));
     }
-    calls.add(Effect::mirrors, reason_of(scene, seen, [](const Material& material) {
-                  return is_mirror(material) && !is_glass(material);
+    calls.add(Effect::mirrors, reason_of(scene, seen, [&](const Material& material) {
+                  const glm::vec3& kept = material.specular;
+                  return is_mirror(material) && !is_glass(material) &&
+                         std::max({kept.x, kept.y, kept.z}) > faintest;
               }));
     calls.add(Effect::refraction, reason_of(scene, seen, is_glass));
     calls.add(Effect::absorption, reason_of(scene, seen, absorbs));

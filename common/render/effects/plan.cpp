@@ -227,7 +227,7 @@ Plan make_plan(const Scene& scene, double aspect_ratio, const std::string& choic
                const Quality& quality) {
     Plan plan;
     plan.quality = quality;
-    plan.called = effects_called_for(scene, aspect_ratio);
+    plan.called = effects_called_for(scene, aspect_ratio, quality.faintest);
     for (const EffectCall& call : plan.called) {
         plan.effects.insert(call.effect);
     }

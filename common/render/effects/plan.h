@@ -59,8 +59,10 @@ struct EffectCall {
 
 // The effects that the scene calls for through its materials, lights and camera, in the order of
 // the table. Materials that cannot be seen call for nothing, but glass that is out of view still
-// lets light through. The aspect ratio is that of the picture, width / height.
-std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio);
+// lets light through. Nor does a mirror that keeps at most `faintest` (Quality) of all light: no
+// path counts more than 1, since no colour of a material is over 1, and so none goes on from there.
+// The aspect ratio is that of the picture, width / height.
+std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_ratio, float faintest);
 
 // How many triangles of each material a ray from the camera may meet. Triangles that lie beyond one
 // side of the view count as unseen, unless a mirror or glass is in view, which may show anything;

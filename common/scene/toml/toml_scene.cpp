@@ -374,7 +374,8 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
 } // namespace
 
 Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_ratio,
-                      int scale_exponent) {
+                      const SceneRequest& request) {
+    const int scale_exponent = request.scale_exponent;
     const toml::table table = parse(text, path);
     check_toml_keys(table, "a scene file",
                     {"name", "sample", "model", "camera", "light", "background", "sky"});
@@ -388,7 +389,7 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
     if (const toml::node* camera = table.get("camera")) {
         scene.camera = scaled(toml_camera(*camera), scale_exponent);
     } else if (!scene.models.empty()) {
-        scene.camera = frame_camera(scene, aspect_ratio);
+        scene.camera = frame_camera(scene, aspect_ratio, request.instead);
         scene.messages.push_back("No camera in " + path.string() + ": it was placed to show all.");
     }
     if (const toml::node* lights = table.get("light")) {

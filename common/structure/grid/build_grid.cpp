@@ -106,6 +106,18 @@ void check_input(std::span<const glm::vec3> corners, const GridOptions& options)
     check_corners(corners, std::numeric_limits<float>::max());
 }
 
+// Throws where so many cells with so many references are more than a GPU reads.
+void check_texels(std::int64_t cells, std::int64_t references, const GridOptions& options) {
+    if (std::max(cells + 1, references) > options.most_texels) {
+        throw MachineError(fmt::format(
+            "A grid of {} cells and {} references or more is asked for, but this machine's OpenGL "
+            "reads at most {} of each. Take a smaller {}, or --structure bvh_ordered, which lists "
+            "each triangle once.",
+            cells, references, options.most_texels,
+            options.resolution > 0 ? "--resolution" : "--density"));
+    }
+}
+
 // Throws where so many cells with so many references take too much.
 void check_memory(std::int64_t cells, std::int64_t references, const GridOptions& options) {
     const std::string coarser = options.resolution > 0 ? "--resolution" : "--density";
@@ -127,9 +139,22 @@ std::string mebibytes(std::int64_t numbers) {
                                          static_cast<double>(bytes_in_mebibyte));
 }
 
+// On the way of one ray.
+constexpr std::int64_t fewest_worth_a_word = 1000;
+
+// That with the most cells.
+int longest_axis(const GridShape& shape) {
+    int longest = 0;
+    for (const int axis : {1, 2}) {
+        longest = shape.cells[axis] > shape.cells[longest] ? axis : longest;
+    }
+    return longest;
+}
+
 // The most references that there is room for beside the cells.
 std::int64_t most_references(std::int64_t cells, const GridOptions& options) {
-    return std::min(options.memory_limit / bytes_each - (cells + 1), most_numbers);
+    return std::min(
+        {options.memory_limit / bytes_each - (cells + 1), options.most_texels, most_numbers});
 }
 
 TriangleOverlap overlap_of(const GridShape& shape, std::span<const glm::vec3> corners,
@@ -159,6 +184,7 @@ std::vector<std::int32_t> count_references(const GridShape& shape,
     };
     in_parts(options.threads, corners.size() / 3, triangles_in_part, count);
     check_memory(cells, total, options);
+    check_texels(cells, total, options);
     return counts;
 }
 
@@ -204,16 +230,36 @@ Grid sort_references(Grid grid, unsigned threads) {
 
 } // namespace
 
+std::string slow_grid(const GridShape& shape, std::int64_t references, std::size_t triangles) {
+    const int axis = longest_axis(shape);
+    const std::int64_t columns = cell_count(shape) / shape.cells[axis];
+    const std::int64_t met = references / columns;
+    if (met < fewest_worth_a_word || static_cast<std::size_t>(met) <= triangles) {
+        return "";
+    }
+    return fmt::format(
+        "This grid will be slow: {} triangles are listed {} times in {} x {} x {} cells, as they "
+        "are long beside a cell, so a ray along {} meets about {} of them, where a test of every "
+        "triangle is {}. Take --structure bvh_ordered, which lists each triangle once.",
+        triangles, references, shape.cells.x, shape.cells.y, shape.cells.z, "xyz"[axis], met,
+        triangles);
+}
+
 Grid build_grid(std::span<const glm::vec3> corners, const GridOptions& options) {
     check_input(corners, options);
     Grid grid;
     grid.shape = shape_grid(corners, options);
     const std::int64_t cells = cell_count(grid.shape);
     check_memory(cells, 0, options);
+    check_texels(cells, 0, options);
     options.say(std::to_string(cells) + " cells take " + mebibytes(cells));
     grid.starts = add_up(count_references(grid.shape, corners, options));
     const auto references = static_cast<std::int64_t>(grid.starts.back());
     options.say(std::to_string(references) + " references take " + mebibytes(references));
+    const std::string warning = slow_grid(grid.shape, references, corners.size() / 3);
+    if (!warning.empty()) {
+        options.warn(warning);
+    }
     grid = fill(std::move(grid), corners, options.threads);
     grid = sort_references(std::move(grid), options.threads);
     return mark_neighbours(std::move(grid), options.threads);

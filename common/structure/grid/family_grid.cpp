@@ -52,6 +52,8 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 GridOptions grid_options_of(const BuildRequest& request) {
     GridOptions options = read_options(rows(), request);
     options.say = request.say;
+    options.warn = request.warn;
+    options.most_texels = request.most_texels;
     options.reach = static_cast<double>(request.reach);
     return options;
 }

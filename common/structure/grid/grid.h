@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,9 +36,11 @@ struct GridOptions {
     int resolution = 0;                     // cells along the longest side; 0: by the density
     double reach = 0.0;                     // see padding.h; usual_reach at least
     std::int64_t memory_limit = 4LL << 30U; // in bytes, for cells and references
-    unsigned threads = 0;                   // 0: as many as the machine has cores
+    std::int64_t most_texels = std::numeric_limits<std::int32_t>::max(); // of starts, references
+    unsigned threads = 0; // 0: as many as the machine has cores
     // Called with what the builder is about to take, in words, before it is taken.
     std::function<void(const std::string&)> say = [](const std::string&) {};
+    std::function<void(const std::string&)> warn = [](const std::string&) {}; // as of BuildRequest
 };
 
 // Boxes of equal size: cell (x, y, z) lies between the planes x and x + 1, y and y + 1, z and z + 1

@@ -96,6 +96,16 @@ void pay_for_leaf(KdPlan& plan, std::size_t count) {
         throw InputError("The kd-tree would need more than " + std::to_string(most >> 20) +
                          " MiB. Raise --leaf-triangles, lower --depth, or raise --memory-limit.");
     }
+    // A leaf has six ropes, the longest of its arrays but for the references.
+    const std::size_t texels = std::max(6 * ++plan.leaves, plan.references += count);
+    if (texels > static_cast<std::size_t>(plan.options.most_texels)) {
+        throw MachineError(
+            "A kd-tree with arrays of " + std::to_string(texels) +
+            " texels or more is asked for, but this machine's OpenGL reads at most " +
+            std::to_string(plan.options.most_texels) +
+            ". Raise --leaf-triangles, lower --depth, or take --structure "
+            "bvh_ordered, which lists each triangle once.");
+    }
 }
 
 KdTree with_leaf(KdTree tree, const KdBud& bud) {

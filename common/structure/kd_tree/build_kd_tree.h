@@ -31,6 +31,8 @@ struct KdPlan {
     KdOptions options;
     int depth_limit = 0;
     std::atomic<std::size_t> bytes = 0; // of the leaves that are made
+    std::atomic<std::size_t> leaves = 0;
+    std::atomic<std::size_t> references = 0;
 };
 
 // A node that is still to be split or to become a leaf.

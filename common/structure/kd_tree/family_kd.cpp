@@ -45,6 +45,7 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 KdOptions kd_options_of(const BuildRequest& request) {
     KdOptions options = read_options(rows(), request);
     options.reach = request.reach;
+    options.most_texels = request.most_texels;
     return options;
 }
 

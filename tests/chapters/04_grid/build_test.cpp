@@ -9,6 +9,7 @@
 #include "support/error_of.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -215,6 +216,74 @@ TEST_CASE("references over the memory limit are refused before they are taken",
     const Grid grid = build_grid(corners, options);
     CHECK(memory_of(grid) <= options.memory_limit);
     CHECK(grid.references.size() > std::size_t{2000} * 2048);
+}
+
+TEST_CASE("references that OpenGL does not read are refused before they are taken",
+          "[04][build][errors]") {
+    const std::vector<glm::vec3> corners = one_a_unit_cell(8);
+    GridOptions options = with_resolution(16);
+    const auto references =
+        static_cast<std::int64_t>(build_grid(corners, options).references.size());
+    const std::int64_t starts = 16 * 16 * 16 + 1;
+    options.most_texels = std::max(references, starts);
+    CHECK_NOTHROW(build_grid(corners, options));
+    options.most_texels = starts - 1; // known before any triangle is looked at
+    CHECK_THROWS_WITH(build_grid(corners, options),
+                      starts_with_text("A grid of 4096 cells and 0 references or more") &&
+                          contains_text("reads at most 4096 of each. Take a smaller --resolution"));
+    CHECK_THROWS_AS(build_grid(corners, options), MachineError);
+
+    std::vector<glm::vec3> large; // each in all of 4 x 4 x 1 cells' lower half
+    for (int i = 0; i < 1000; ++i) {
+        large.insert(large.end(), {{0.0f, 0.0f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}});
+    }
+    BuildRequest request{.values = {{"resolution", "4"}}, .most_texels = 9999};
+    std::string said;
+    request.say = [&](const std::string& what) { said += what + "\n"; };
+    CHECK_THROWS_AS(family_of("grid").build(large, request), MachineError);
+    CHECK(said.find("references") == std::string::npos); // none was taken
+    request.most_texels = 16000;
+    CHECK_NOTHROW(family_of("grid").build(large, request));
+}
+
+TEST_CASE("a grid is slow where a ray along it meets more references than there are triangles",
+          "[04][build]") {
+    GridShape shape;
+    shape.cells = {4, 4, 4266};
+    const std::string slow = slow_grid(shape, 50618576, 20000); // over 16 columns: 3163661
+    CHECK_THAT(slow, contains_text("20000 triangles are listed 50618576 times") &&
+                         contains_text("a ray along z meets about 3163661 of them") &&
+                         contains_text("Take --structure bvh_ordered"));
+    CHECK(slow_grid(shape, 16 * 20000, 20000).empty());
+    CHECK(!slow_grid(shape, 16 * 20001, 20000).empty());
+    CHECK(slow_grid(shape, 16 * 999, 10).empty()); // no ray takes long there
+    shape.cells = {4, 4266, 4};
+    CHECK_THAT(slow_grid(shape, 50618576, 20000), contains_text("a ray along y"));
+}
+
+TEST_CASE("long triangles in a fine grid are warned of before they are listed", "[04][build]") {
+    std::vector<glm::vec3> corners; // a bipyramid of 2 x 500 triangles, 1000 times as high as wide
+    const auto around = [](int i) {
+        const double angle = 2.0 * 3.14159265358979 * i / 500.0;
+        return glm::vec3(std::cos(angle), std::sin(angle), 0.0);
+    };
+    for (int i = 0; i < 500; ++i) {
+        for (const float apex : {1000.0f, -1000.0f}) {
+            corners.insert(corners.end(), {around(i), around(i + 1), {0.0f, 0.0f, apex}});
+        }
+    }
+    std::vector<std::string> sentences;
+    BuildRequest request;
+    request.warn = [&](const std::string& sentence) { sentences.push_back(sentence); };
+    family_of("grid").build(corners, request);
+    REQUIRE(sentences.size() == 1);
+    CHECK_THAT(sentences[0], starts_with_text("This grid will be slow: 1000 triangles"));
+    sentences.clear();
+    family_of("bvh_ordered").build(corners, request);
+    RandomNumbers numbers(3);
+    family_of("grid").build(random_triangles(numbers, 5000).corners, request);
+    family_of("grid").build(sphere({0, 0, 0}, 1.0f, 20).corners, request);
+    CHECK(sentences.empty());
 }
 
 TEST_CASE("the check of a grid finds what is broken in it", "[04][build]") {

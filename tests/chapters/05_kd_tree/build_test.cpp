@@ -224,6 +224,30 @@ TEST_CASE("a tree that would be too large is refused", "[05][build]") {
     CHECK_FALSE(error_of([&] { build_kd_tree(mesh.corners, options); }).empty());
 }
 
+TEST_CASE("a tree that OpenGL does not read is refused as soon as that is known", "[05][build]") {
+    RandomNumbers numbers(6);
+    const Mesh mesh = random_triangles(numbers, 5000);
+    const KdTree tree = build_kd_tree(mesh.corners, {});
+    // Of no packed array has the tree more texels than the limit counts, and of one as many.
+    std::size_t most = 0;
+    const PackedStructure packed = pack(tree);
+    for (const auto& [name, texels] : packed.integers) {
+        most = std::max(most, texels.size());
+    }
+    for (const auto& [name, texels] : packed.integer_vectors) {
+        most = std::max(most, texels.size());
+    }
+    for (const auto& [name, texels] : packed.vectors) {
+        most = std::max(most, texels.size());
+    }
+    BuildRequest request{.most_texels = static_cast<std::int64_t>(most)};
+    CHECK_NOTHROW(family_of("kd_ropes").build(mesh.corners, request));
+    request.most_texels -= 1;
+    CHECK_THROWS_AS(family_of("kd_ropes").build(mesh.corners, request), MachineError);
+    CHECK_THROWS_WITH(family_of("kd_ropes").build(mesh.corners, request),
+                      contains_text("OpenGL reads at most") && contains_text("--leaf-triangles"));
+}
+
 TEST_CASE("corners that are no numbers are refused", "[05][build]") {
     std::vector<glm::vec3> corners(6, glm::vec3(1.0f));
     for (const float wrong : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1.9e18f}) {

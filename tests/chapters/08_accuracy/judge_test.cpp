@@ -7,6 +7,8 @@
 #include "scene/shapes.h"
 #include "support/error_of.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 namespace {
@@ -14,6 +16,12 @@ namespace {
 Hit hit_of(const ReferenceHit& truth) {
     return {static_cast<float>(truth.t), static_cast<float>(truth.u), static_cast<float>(truth.v),
             truth.triangle};
+}
+
+bool share_corner(std::span<const glm::vec3> corners, int a, int b) {
+    const auto of_a = corners.subspan(3 * static_cast<std::size_t>(a), 3);
+    const auto of_b = corners.subspan(3 * static_cast<std::size_t>(b), 3);
+    return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
 }
 
 const Hit nothing{no_end, 0.0f, 0.0f, no_triangle};
@@ -66,6 +74,59 @@ TEST_CASE("a hit that is gone or behind is missed and one too many is false", "[
     REQUIRE(findings.error.has_value());
     CHECK(findings.error->largest == 2.0);
     CHECK(findings.measures.empty());
+}
+
+TEST_CASE("a neighbour is right at the edge that it shares and nowhere else", "[08][judge]") {
+    // Two triangles from the edge along x: one flat, one that rises as it leaves the edge.
+    const Mesh mesh =
+        join(triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 4}));
+    const float near = 0x1p-20f;
+    const std::vector<Ray> rays{{{1, near, -1}, {0, 0, 1}, 0.0f, no_end},
+                                {{1, 0.25f, -1}, {0, 0, 1}, 0.0f, no_end}};
+    const std::vector<ReferenceHit> truth = exact_nearest_hits(rays, mesh.corners);
+    REQUIRE(truth[0].triangle == 0);
+    const std::vector<Hit> hits{{1.0f + near, 0.25f, 0.0f, 1}, {1.25f, 0.1875f, 0.0625f, 1}};
+    const Findings findings = judge_hits(rays, hits, truth, mesh.corners);
+    CHECK(findings.faults[0].count == 1);
+    CHECK(findings.faults[1].count == 0);
+    CHECK(findings.measures.empty());
+    REQUIRE(findings.error.has_value());
+    CHECK(findings.error->largest == 0.0); // t is the neighbour's own, to the last place
+}
+
+TEST_CASE("a ray that leaks through an edge and meets a neighbour from inside is missed",
+          "[08][judge]") {
+    const int seed = 1;
+    CAPTURE(seed);
+    const Mesh mesh = sphere({0.3f, -0.2f, 0.1f}, 1.0f, 4); // 320 triangles, closed
+    std::vector<Ray> rays;
+    std::vector<Hit> hits; // as if the ray had passed between the two triangles of the edge
+    std::vector<ReferenceHit> truth;
+    for (const RayFamily& family : families_from_inside(mesh.corners, 20000, seed)) {
+        if (family.name != "edge" && family.name != "vertex") {
+            continue;
+        }
+        const std::vector<ReferenceHit> first = exact_nearest_hits(family.rays, mesh.corners);
+        std::vector<Ray> beyond = family.rays;
+        for (std::size_t i = 0; i < beyond.size(); ++i) {
+            beyond[i].t_min = static_cast<float>(1.001 * first[i].t);
+        }
+        const std::vector<ReferenceHit> second = exact_nearest_hits(beyond, mesh.corners);
+        for (std::size_t i = 0; i < beyond.size(); ++i) {
+            if (second[i].triangle != no_triangle && first[i].t > 0.0 &&
+                share_corner(mesh.corners, first[i].triangle, second[i].triangle)) {
+                rays.push_back(family.rays[i]);
+                hits.push_back(hit_of(second[i]));
+                truth.push_back(first[i]);
+            }
+        }
+    }
+    REQUIRE(rays.size() > 300);
+    const Findings findings = judge_hits(rays, hits, truth, mesh.corners);
+    const double outlines = findings.measures.empty() ? 0.0 : findings.measures[0].value;
+    CHECK(findings.faults[0].count + static_cast<std::size_t>(outlines) == rays.size());
+    CHECK(outlines < 0.01 * static_cast<double>(rays.size()));
+    CHECK(!findings.error.has_value());
 }
 
 TEST_CASE("a miss at an outline is excused and one at an inner edge is not", "[08][judge]") {

@@ -65,6 +65,14 @@ TEST_CASE("the program writes page and table and numbers for a scene of ones own
     CHECK(numbers["trade_offs"][0]["measurements"].size() == 8 * 11);
     CHECK(numbers["trade_offs"][0]["methods"].size() == 11);
     CHECK(numbers["circumstances"].contains("commit"));
+    for (const auto& one : numbers["trade_offs"][0]["measurements"]) {
+        for (const auto& fault : one["faults"]) {
+            const bool none = fault["count"] == 0;
+            CHECK(fault.contains("one_sided_upper_bound") == none);
+            CHECK(fault.contains("two_sided_lower_bound") == !none);
+            CHECK(fault.contains("two_sided_upper_bound") == !none);
+        }
+    }
     std::set<std::string> needs;
     for (const auto& advice : numbers["advice"]) {
         needs.insert(advice["need"]);
@@ -76,6 +84,13 @@ TEST_CASE("the program writes page and table and numbers for a scene of ones own
     CHECK(page.find("http") == std::string::npos); // needs no network
     const std::string csv = bytes_of(folder / "accuracy.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 8 * 11 + 6 * 4);
+    const auto columns = [&](std::size_t line_start) {
+        const auto end = csv.begin() + static_cast<std::ptrdiff_t>(csv.find('\n', line_start));
+        return std::count(csv.begin() + static_cast<std::ptrdiff_t>(line_start), end, ',');
+    };
+    // Two more stand in quotes: "paper, culling" and "t, in ulp".
+    CHECK(columns(csv.find('\n') + 1) == columns(0) + 2);
+    CHECK_THAT(csv, contains_text("two_sided_upper_bound,one_sided_upper_bound"));
 }
 
 TEST_CASE("a scene without a triangle has a report too", "[08][program]") {

@@ -14,7 +14,7 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[3] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from accuracy_page.page import rate_words, to_html  # noqa: E402
+from accuracy_page.page import LEGEND, rate_words, to_html  # noqa: E402
 from accuracy_page.scatter import BOTTOM, LABEL_HEIGHT, TOP, Axis, Mark, label_heights, to_svg  # noqa: E402
 
 VOID = {"meta", "img", "br"}
@@ -22,7 +22,9 @@ PNG = b"\x89PNG and more"
 
 
 def rate(counted, lowest, highest):
-    return {"per_million": counted, "lower_bound": lowest, "upper_bound": highest}
+    if counted == 0:
+        return {"per_million": counted, "one_sided_upper_bound": highest}
+    return {"per_million": counted, "two_sided_lower_bound": lowest, "two_sided_upper_bound": highest}
 
 
 def method(name, cost, faults, error, dominated=False):
@@ -130,6 +132,14 @@ class Rates(unittest.TestCase):
     def test_no_fault_has_its_upper_bound_rounded_up(self):
         self.assertEqual(rate_words(rate(0.0, 0.0, 183.1)), "0 (<184)")
         self.assertEqual(rate_words(rate(101637.4, 101045.0, 102231.6)), "101637 (101045 to 102232)")
+
+    def test_the_page_says_which_bounds_are_one_sided(self):
+        self.assertRegex(LEGEND, r"two-sided bounds of 95 % \(Wilson's\)")
+        self.assertRegex(LEGEND, r"one-sided upper bound of\s+95 % \(3/n\)")
+
+    def test_a_bound_without_its_kind_is_refused(self):
+        with self.assertRaises(KeyError):
+            rate_words({"per_million": 0.0, "lower_bound": 0.0, "upper_bound": 3.0})
 
 
 class Plot(unittest.TestCase):

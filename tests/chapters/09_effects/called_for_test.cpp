@@ -10,14 +10,14 @@ namespace {
 
 EffectSet called(const Scene& scene) {
     EffectSet effects;
-    for (const EffectCall& call : effects_called_for(scene, 1.0)) {
+    for (const EffectCall& call : effects_called_for(scene, 1.0, Quality{}.faintest)) {
         effects.insert(call.effect);
     }
     return effects;
 }
 
 std::string reason(const Scene& scene, Effect effect) {
-    for (const EffectCall& call : effects_called_for(scene, 1.0)) {
+    for (const EffectCall& call : effects_called_for(scene, 1.0, Quality{}.faintest)) {
         if (call.effect == effect) {
             return call.reason;
         }
@@ -77,6 +77,25 @@ TEST_CASE("glass out of view calls for no refraction but still for its shadow", 
     mirror.specular = glm::vec3(1.0f);
     mirror.illumination_model = 3;
     CHECK(called(add_mesh(scene, facing_wall(-1.0f, 2.0f), mirror)).contains(Effect::refraction));
+}
+
+TEST_CASE("mirrors too dark to send a ray call for nothing", "[09][plan]") {
+    Material mirror;
+    mirror.name = "dark";
+    mirror.specular = {0.0f, 0.001f, 0.0005f};
+    mirror.illumination_model = 3;
+    const Scene dark = add_mesh(white_scene(), facing_wall(-1.0f, 2.0f), mirror);
+    CHECK(!called(dark).contains(Effect::mirrors)); // 0.001 < 1/512
+    CHECK(!runs(make_plan(dark, 1.0, "", {}), "reflect"));
+    CHECK_THAT(explain(make_plan(dark, 1.0, "", {})), contains_text("mirrors"));
+    CHECK(has(make_plan(dark, 1.0, "", {.faintest = 0.0005f}), Effect::mirrors));
+    CHECK(!has(make_plan(dark, 1.0, "", {.faintest = 0.001f}), Effect::mirrors)); // as the passes
+    CHECK(has(make_plan(dark, 1.0, "+mirrors", {}), Effect::mirrors));
+    // Beside a bright one, only that one is the reason.
+    mirror.name = "bright";
+    mirror.specular = glm::vec3(0.5f);
+    CHECK(reason(add_mesh(dark, facing_wall(-1.0f, 2.0f), mirror), Effect::mirrors) ==
+          "material bright, 2 triangles");
 }
 
 TEST_CASE("a plan has the passes of its effects and no others", "[09][plan]") {

@@ -40,6 +40,26 @@ TEST_CASE("no ray is cast for an effect that no scene calls for", "[09][proof]")
     CHECK(all_rays(dark) == 1024);
 }
 
+TEST_CASE("a mirror too dark to send a ray is left out of the plan and changes no pixel",
+          "[09][proof]") {
+    const auto context = make_context(ContextKind::automatic);
+    Material mirror;
+    mirror.specular = glm::vec3(0.001f);
+    mirror.illumination_model = 3;
+    mirror.emission = glm::vec3(0.25f);
+    Scene scene = add_mesh(white_scene(), facing_wall(-1.0f, 2.0f), mirror);
+    scene.background = glm::vec3(1000.0f); // a thousandth of it would show
+    const EffectPicture planned = effect_picture(scene, 32);
+    const EffectPicture everything = effect_picture(scene, 32, "+all");
+    CHECK(!has(planned.plan, Effect::mirrors));
+    CHECK(count_different(planned.image, everything.image) == 0);
+    CHECK(planned.tally.mirror + everything.tally.mirror == 0);
+    CHECK(everything.tally.faint > 0); // they were meant to go on
+    const EffectPicture followed = effect_picture(scene, 32, "", {.faintest = 0.0f});
+    CHECK(followed.tally.mirror > 0);
+    CHECK(count_different(followed.image, everything.image) > 0);
+}
+
 TEST_CASE("diffuse surfaces shadows and mirrors have the bits of chapter 03", "[09][proof]") {
     const auto context = make_context(ContextKind::automatic);
     for (const std::string name : {"cornell_box", "mirrors", "compact:4", "sphereflake:1"}) {

@@ -121,7 +121,16 @@ TEST_CASE("a scene that is too large for a camera is refused", "[scene]") {
     Scene scene = add_mesh({}, box(glm::vec3(-1.8e18f), glm::vec3(1.8e18f)), {});
     scene.name = "universe";
     REQUIRE_THROWS_WITH(frame_camera(scene, 1.0f), starts_with_text("universe: this is too large"));
+    // The eye would be at some 1.1e19: an eighth of that is near enough.
+    REQUIRE_THROWS_WITH(frame_camera(scene, 1.0f), contains_text("scale = 0.125, which"));
     REQUIRE_NOTHROW(frame_camera(add_mesh({}, box(glm::vec3(-1e17f), glm::vec3(1e17f)), {}), 1.0f));
+    Camera own;
+    own.eye = {1.0f, 2.0f, 1.7e18f};
+    REQUIRE(frame_scene(scene, 1.0f, own).camera.eye == own.eye);
+    own.eye.z = 1.9e18f;
+    REQUIRE_THROWS_WITH(frame_camera(scene, 1.0f, own), contains_text("too large"));
+    // Where a camera can be placed, it is.
+    REQUIRE(frame_camera(add_mesh({}, box({-1, -1, -1}, {1, 1, 1}), {}), 1.0f, own).eye.z < 10.0f);
 }
 
 TEST_CASE("the bright light is above left of the camera and the dim one on its right", "[scene]") {

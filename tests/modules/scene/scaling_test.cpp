@@ -55,7 +55,7 @@ TEST_CASE("a scaled model has its lengths times a power of two, and its camera s
           "[scene][scale]") {
     const std::string file = (scene_files / "two_pyramids.toml").string();
     const Scene scene = load_scene(file, 1.0f);
-    const Scene large = load_scene(file, 1.0f, 12);
+    const Scene large = load_scene(file, 1.0f, {.scale_exponent = 12});
     REQUIRE(large.corners.size() == scene.corners.size());
     for (std::size_t i = 0; i < scene.corners.size(); ++i) {
         REQUIRE(large.corners[i] == 4096.0f * scene.corners[i]);
@@ -77,8 +77,10 @@ TEST_CASE("glass that is scaled keeps the same light on a scaled way", "[scene][
 }
 
 TEST_CASE("a sample scene has no scale, and a scale has its range", "[scene][scale]") {
-    CHECK_THROWS_WITH(load_scene("cornell_box", 1.0f, 3), contains_text("made by code"));
-    CHECK_THROWS_WITH(load_scene(TriangleFile(1.0).path(), 1.0f, 61), contains_text("-60 to 60"));
+    CHECK_THROWS_WITH(load_scene("cornell_box", 1.0f, {.scale_exponent = 3}),
+                      contains_text("made by code"));
+    CHECK_THROWS_WITH(load_scene(TriangleFile(1.0).path(), 1.0f, {.scale_exponent = 61}),
+                      contains_text("-60 to 60"));
     const Ray long_ray{{0, 0, 0}, {1e30f, 0, 0}, 0.0f, 1.0f};
     CHECK_THROWS_AS(scaled(long_ray, 60), InputError);
 }

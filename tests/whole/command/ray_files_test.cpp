@@ -47,6 +47,45 @@ Outcome trace(const Workplace& workplace, const std::string& chapter, const std:
 
 } // namespace
 
+TEST_CASE("rays of a file need no camera in front of a scene that is too large for one",
+          "[command]") {
+    const Workplace workplace("rays_too_large");
+    workplace.write("large.obj", "v -1e18 -1e18 0\nv 1e18 -1e18 0\nv 0 1e18 0\nf 1 2 3\n");
+    workplace.write("rays.f32",
+                    ray_bytes({{0.0f, 0.0f, 1e18f, 0.0f, 0.0f, -1e18f, 0.0f, infinity}}));
+    for (const std::string chapter : {"02_triangles", "09_effects"}) {
+        const Outcome outcome = workplace.run(
+            chapter, {"--scene", "large.obj", "--rays", "rays.f32", "--hits", "hits.f32"});
+        CAPTURE(chapter, outcome.errors);
+        CHECK(outcome.exit_code == 0);
+        CHECK(hits_of(workplace.read("hits.f32")) ==
+              std::vector<HitNumbers>{{1.0f, 0.25f, 0.5f, 0}});
+    }
+    CHECK(workplace
+              .run("02_triangles", {"--scene", "large.obj", "--size", "8", "--camera",
+                                    "0,0,1.5e18,0,0,0", "--context", "osmesa"})
+              .exit_code == 0);
+    check_refusal(workplace, "02_triangles", {"--scene", "large.obj"}, 2,
+                  {"large: this is too large for a camera", "--camera", "[camera]", "scale ="});
+}
+
+TEST_CASE("directions whose t is no normal float are said once", "[command]") {
+    const Workplace workplace("rays_unusual");
+    workplace.write("two.obj", two_triangles);
+    std::vector<RayNumbers> unusual(3, rays[0]);
+    unusual[1][5] = -1e37f;
+    unusual[2][3] = 1e-40f;
+    workplace.write("rays.f32", ray_bytes(unusual));
+    const Outcome outcome = trace(workplace, "02_triangles", "rays.f32", "hits.f32");
+    CHECK(outcome.exit_code == 0);
+    const std::string sentence = "rays.f32: 2 of 3 rays (the first is ray 1, from 0)";
+    CHECK_THAT(outcome.errors, contains_text(sentence));
+    CHECK(outcome.errors.find(sentence) == outcome.errors.rfind(sentence));
+    workplace.write("rays.f32", ray_bytes(rays));
+    CHECK_THAT(trace(workplace, "02_triangles", "rays.f32", "hits.f32").errors,
+               !contains_text("rays.f32: "));
+}
+
 TEST_CASE("the rays of a binary file give the known hits", "[command]") {
     const Workplace workplace("rays_good_binary");
     workplace.write("two.obj", two_triangles);
@@ -58,6 +97,31 @@ TEST_CASE("the rays of a binary file give the known hits", "[command]") {
         CHECK_THAT(outcome.output, contains_text("hits.f32, 6 hits\n"));
         CHECK(hits_of(workplace.read("hits.f32")) == known_hits);
     }
+}
+
+TEST_CASE("a scene too small for floats has the known hits where it and the rays are scaled",
+          "[command]") {
+    const Workplace workplace("rays_scaled");
+    // The same triangles and rays, times 2^-60 = 8.67361738e-19: exact, as all numbers here are.
+    workplace.write("two.obj", "v 0 0 0\nv 8.67361738e-19 0 0\nv 0 8.67361738e-19 0\n"
+                               "v 0 0 -8.67361738e-19\nv 8.67361738e-19 0 -8.67361738e-19\n"
+                               "v 0 8.67361738e-19 -8.67361738e-19\nf 1 2 3\nf 4 5 6\n");
+    std::vector<RayNumbers> small = rays;
+    for (RayNumbers& ray : small) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            ray[i] *= 0x1p-60f;
+        }
+    }
+    workplace.write("rays.f32", ray_bytes(small));
+    const Outcome warned = trace(workplace, "02_triangles", "rays.f32", "hits.f32");
+    CHECK_THAT(warned.errors, contains_text("Add --scale-exponent 60"));
+    const Outcome outcome =
+        workplace.run("02_triangles", {"--scene", "two.obj", "--rays", "rays.f32", "--hits",
+                                       "hits.f32", "--scale-exponent", "60"});
+    CAPTURE(outcome.errors);
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.errors, !contains_text("--scale-exponent"));
+    CHECK(hits_of(workplace.read("hits.f32")) == known_hits);
 }
 
 TEST_CASE("rays and hits as text agree with those in binary", "[command]") {
