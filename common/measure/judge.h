@@ -63,7 +63,7 @@ struct Judgement {
 };
 
 // Compares all contenders with each other on all rays that both were asked, and with the loop on
-// every ray that they differ in (up to most_disputed_rays) and on a random sample: of each
+// every ray that they differ in (up to most_disputed_rays) and on a random sample (seed 7): of each
 // contender's rays 1024, or as many as make 2^25 tests of a triangle, whichever is less.
 Judgement judge(const Scene& scene, const RayKind& kind, std::span<const Answers> answers,
                 const LoopOverTriangles& loop);
