@@ -2,8 +2,8 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "fuzz.h"
+#include "program/figures.h"
 #include "program/options.h"
-#include "program/output.h"
 #include "trials.h"
 
 #include <unistd.h>
@@ -118,7 +118,8 @@ void run_trials(const TrialRequest& request) {
     if (!request.csv.empty()) {
         write_file(request.csv, to_csv(results));
     }
-    write_numbers(request.json, numbers_of(results));
+    write_figures(request.json, {.schema = "hard_cases.schema.json"},
+                  {{"seed", request.seed}, {"cases", numbers_of(results)}});
     const std::size_t broken = count_rows(results, Verdict::fail);
     std::cout << "\n"
               << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "
@@ -155,5 +156,6 @@ int main(int argc, char** argv) {
     options.output_folder("--out", request.out, "the folder for what the fuzzer finds");
     options.output_file("--json", request.json, "a file for the rows of the table");
     options.output_file("--csv", request.csv, "a file for the rows of the table");
+    options.excludes("--fuzz", {"--json", "--csv"});
     return options.run(argc, argv, [&] { run_trials(request); });
 }
