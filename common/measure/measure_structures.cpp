@@ -71,6 +71,16 @@ const SceneTextures& built_for(const BuiltFamilies& built, const std::string& st
     return built.at(family_of(structure).name);
 }
 
+// What a picture has for its pixels as a list in which neighbours stay neighbours.
+template <class Value>
+std::vector<Value> in_blocks(const std::vector<Value>& picture, const MeasureRequest& request) {
+    std::vector<Value> list;
+    for (const std::size_t pixel : pixels_in_blocks(request.width, request.height)) {
+        list.push_back(picture[pixel]);
+    }
+    return list;
+}
+
 // Neighbours in a run are as coherent as in the whole.
 constexpr std::size_t rays_per_run = 64;
 
@@ -347,9 +357,10 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
 
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
-    const std::vector<Hit> hits = read_hits(judge_.closest_hits(camera, judged));
+    const std::vector<Hit> hits =
+        in_blocks(read_hits(judge_.closest_hits(camera, judged)), request_);
     std::vector<RaySets> kinds;
-    for (RayKind& kind : ray_kinds(scene, read_rays(camera), hits, 1)) {
+    for (RayKind& kind : ray_kinds(scene, in_blocks(read_rays(camera), request_), hits, 1)) {
         if (std::find(request_.kinds.begin(), request_.kinds.end(), kind.name) !=
             request_.kinds.end()) {
             kinds.emplace_back(std::move(kind), judge_, judged);

@@ -17,15 +17,29 @@ struct RayTextures {
 
 RayTextures make_ray_textures(int width, int height);
 
-// Any number of rays, in rows; texels left over hold empty rays.
+// A list of any number of rays; texels left over hold empty rays. Where neighbours in the list are
+// neighbours in space, those of the textures are too: 4 rays lie in a square of 2 x 2 texels, 16 in
+// one of 4 x 4, and 64 in one of 8 x 8. So those that a processor traces side by side go the same
+// way. Source of the curve: Morton, "A Computer Oriented Geodetic Data Base", 1966.
 RayTextures upload_rays(std::span<const Ray> rays);
 
-// The first `count` rays, the bottom row of the textures first.
-std::vector<Ray> read_rays(const RayTextures& textures, std::size_t count);
-std::vector<Ray> read_rays(const RayTextures& textures);
+// Where the ray of that number in such a list lies: row times width and column. All that read a
+// list's texels ask here.
+std::size_t texel_of_listed_ray(std::size_t ray, int width);
 
-// The first `count` hits of a texture of hits, the bottom row first.
+// What a texture of the size of a list's textures holds for its first `count` rays.
+std::vector<glm::uvec4> read_list(const Texture& integers, std::size_t count);
+
+// The pixels of a picture, row times width and column each, in the order in which a list of their
+// rays has to be for neighbours to stay neighbours: block by block, and in each as in a list.
+std::vector<std::size_t> pixels_in_blocks(int width, int height);
+
+// The first `count` rays of a list, and their hits.
+std::vector<Ray> read_rays(const RayTextures& textures, std::size_t count);
 std::vector<Hit> read_hits(const Texture& hits, std::size_t count);
+
+// All rays of a picture, and their hits, the bottom row first.
+std::vector<Ray> read_rays(const RayTextures& textures);
 std::vector<Hit> read_hits(const Texture& hits);
 
 // How a pixel gets the direction of its ray.

@@ -67,10 +67,9 @@ Found found_in(const glm::uvec4& texel) {
 }
 
 std::vector<Found> founds_in(const Texture& texture, std::size_t count) {
-    const std::vector<glm::uvec4> texels = read_integers(texture);
+    const std::vector<glm::uvec4> texels = read_list(texture, count);
     std::vector<Found> found(count);
-    std::transform(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(count),
-                   found.begin(), found_in);
+    std::transform(texels.begin(), texels.end(), found.begin(), found_in);
     return found;
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("a recorded walk is what the GPU counts and finds for the same ray", "
                         2048);
         const SceneTextures on_gpu = upload(scene, replayed.built);
         const std::vector<Hit> hits = read_hits(trace.closest_hits(textures, on_gpu), rays.size());
-        const std::vector<glm::uvec4> counted = read_integers(*trace.observations());
+        const std::vector<glm::uvec4> counted = read_list(*trace.observations(), rays.size());
         const std::vector<WalkCount> counts = replayed.recorder.count(rays);
         std::size_t different_hits = 0;
         std::size_t different_counts = 0;
