@@ -3,6 +3,7 @@
 #include "basics/error.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
 
@@ -15,29 +16,33 @@ constexpr std::size_t most_nodes = std::size_t{1} << 27;
 constexpr float farthest = std::numeric_limits<float>::max();
 
 // The nodes of a binary tree that become the children of one: those that stand in for the branch.
-std::vector<std::int32_t> children_of(const Bvh& bvh, std::int32_t branch) {
-    const auto node = [&](std::int32_t i) -> const BvhNode& {
-        return bvh.nodes[static_cast<std::size_t>(i)];
-    };
-    std::vector<std::int32_t> children{branch};
-    while (children.size() < bvh4_width) {
-        double largest = -1.0;
-        std::int32_t* opened = nullptr;
-        for (std::int32_t& child : children) {
-            const double area = is_leaf(node(child)) ? -1.0 : surface_area(node(child).box);
-            if (area > largest) {
-                largest = area;
-                opened = &child;
-            }
-        }
-        if (opened == nullptr) { // all are leaves
+struct Opened {
+    std::array<std::int32_t, bvh4_width> nodes{};
+    std::array<double, bvh4_width> areas{}; // of those that may be opened; else negative
+    std::size_t count = 0;
+};
+
+void set_node(Opened& opened, std::size_t place, const Bvh& bvh, std::int32_t number) {
+    const BvhNode& node = bvh.nodes[static_cast<std::size_t>(number)];
+    opened.nodes[place] = number;
+    opened.areas[place] = is_leaf(node) ? -1.0 : surface_area(node.box);
+}
+
+Opened open(const Bvh& bvh, std::int32_t branch) {
+    Opened opened;
+    set_node(opened, opened.count++, bvh, branch);
+    while (opened.count < bvh4_width) {
+        const auto* const largest =
+            std::max_element(opened.areas.begin(), opened.areas.begin() + opened.count);
+        if (*largest < 0.0) { // all are leaves
             break;
         }
-        const std::int32_t first = node(*opened).first;
-        *opened = first;
-        children.push_back(first + 1);
+        const auto place = static_cast<std::size_t>(largest - opened.areas.begin());
+        const std::int32_t first = bvh.nodes[static_cast<std::size_t>(opened.nodes[place])].first;
+        set_node(opened, place, bvh, first);
+        set_node(opened, opened.count++, bvh, first + 1);
     }
-    return children;
+    return opened;
 }
 
 } // namespace
@@ -48,16 +53,20 @@ Bvh4 collapse(const Bvh& bvh) {
     wide.padding = bvh.padding;
     wide.leaf_triangles = bvh.leaf_triangles;
     std::vector<std::int32_t> branches; // of the binary tree, one for each node
+    branches.reserve(bvh.nodes.size() / 2 + 1);
+    wide.parents.reserve(bvh.nodes.size() / 2 + 1);
+    wide.children.reserve(bvh4_width * (bvh.nodes.size() / 2 + 1));
     if (!bvh.nodes.empty()) {
         branches.push_back(0);
         wide.parents.push_back(no_bvh4_node);
     }
     for (std::size_t i = 0; i < branches.size(); ++i) {
-        for (const std::int32_t place : children_of(bvh, branches[i])) {
-            BvhNode child = bvh.nodes[static_cast<std::size_t>(place)];
+        const Opened opened = open(bvh, branches[i]);
+        for (std::size_t k = 0; k < opened.count; ++k) {
+            BvhNode child = bvh.nodes[static_cast<std::size_t>(opened.nodes[k])];
             if (!is_leaf(child)) {
                 child.first = static_cast<std::int32_t>(branches.size());
-                branches.push_back(place);
+                branches.push_back(opened.nodes[k]);
                 wide.parents.push_back(static_cast<std::int32_t>(wide.children.size()));
             }
             wide.children.push_back(child);
