@@ -14,7 +14,8 @@ BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& 
     const BvhOptions options = bvh_options_of(request);
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
     const PackedStructure packed = pack(bvh, corners);
-    return {.packed = packed, .facts = facts_of(bvh, options, packed, seconds)};
+    return {.packed = packed,
+            .facts = facts_of(measure_bvh(bvh, options), bvh.order.size(), packed, seconds)};
 }
 
 } // namespace
