@@ -17,12 +17,19 @@ namespace raysteps {
 
 namespace {
 
-// The parts of a walk's program by their names.
-Parts walk_parts(const std::string& triangle, const std::string& structure,
-                 const std::string& observer) {
-    return {{"triangle", find_part("triangle", triangle)},
-            {"structure", find_part("structure", structure)},
-            {"observer", "observer/" + observer + ".glsl"}};
+// Of a structure that is named for its packets, the contest measures packets, however few rays
+// there are.
+TraceRays make_tracer(const std::string& triangle, const std::string& structure,
+                      const Limits& limits) {
+    return {walk_parts(triangle, structure), limits,
+            structure == "fastest" ? Packets::where_faster : Packets::always};
+}
+
+TraceRays make_counting_tracer(const std::string& triangle, const std::string& structure,
+                               const Limits& limits) {
+    Parts parts = walk_parts(triangle, structure);
+    parts["observer"] = "observer/count.glsl";
+    return {std::move(parts), limits};
 }
 
 Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays, Query query) {
@@ -91,7 +98,7 @@ std::size_t run_count(const RayKind& kind) {
 // Of each `step` runs of rays, the first: rays from all over the picture, for a contender that
 // cannot trace them all in the time there is.
 RayKind every_nth_run(const RayKind& kind, std::size_t step) {
-    RayKind sample{kind.name, kind.query, {}};
+    RayKind sample{kind.name, kind.query, {}, kind.coherence};
     for (std::size_t begin = 0; begin < kind.rays.size(); begin += step * rays_per_run) {
         const std::size_t end = std::min(begin + rays_per_run, kind.rays.size());
         sample.rays.insert(sample.rays.end(),
@@ -124,6 +131,7 @@ public:
         }
         RayKind kind = every_nth_run(kind_, step);
         RayTextures textures = upload_rays(kind.rays);
+        textures.coherence = kind.coherence;
         std::vector<Hit> expected =
             read_hits(trace(judge_, scene_, textures, kind.query), kind.rays.size());
         return sets_
@@ -330,10 +338,9 @@ std::optional<EmbreeRatio> ratio_to_embree(const SceneCosts& costs, const std::s
 
 StructureContest::StructureContest(MeasureRequest request, const Limits& limits)
     : request_(with_judge(std::move(request))), limits_(limits),
-      judge_(walk_parts(request_.triangle, request_.judge, "none"), limits) {
+      judge_(make_tracer(request_.triangle, request_.judge, limits)) {
     for (const std::string& structure : request_.structures) {
-        walks_.emplace(structure,
-                       TraceRays(walk_parts(request_.triangle, structure, "none"), limits));
+        walks_.emplace(structure, make_tracer(request_.triangle, structure, limits));
     }
 }
 
@@ -381,7 +388,7 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     // so many programs compiled.
     for (std::size_t i = 0; i < request_.structures.size(); ++i) {
         const std::string& structure = request_.structures[i];
-        TraceRays count(walk_parts(request_.triangle, structure, "count"), limits_);
+        TraceRays count = make_counting_tracer(request_.triangle, structure, limits_);
         for (std::vector<Entry>& own : entries) {
             add_counts(own[i], count, built_for(built, structure));
         }

@@ -33,9 +33,9 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
     const mirror::SceneBuffers buffers(scene);
     auto mirror = mirror::mirror_of<Mirror>(buffers);
     RandomNumbers numbers(seed);
-    RayKind shadow{"shadow", Query::any, {}};
-    RayKind reflection{"reflection", Query::closest, {}};
-    RayKind bounce{"bounce", Query::closest, {}};
+    RayKind shadow{"shadow", Query::any, {}, Coherence::neighbours};
+    RayKind reflection{"reflection", Query::closest, {}, Coherence::alone};
+    RayKind bounce{"bounce", Query::closest, {}, Coherence::alone};
     for (std::size_t i = 0; i < primary.size(); ++i) {
         if (hits[i].triangle < 0) {
             continue;
@@ -55,7 +55,8 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
                                cosine_direction(surface.geometric_normal, point_in_ball(numbers)),
                                0.0f, mirror.farthest});
     }
-    std::vector<RayKind> kinds{{"primary", Query::closest, {primary.begin(), primary.end()}}};
+    std::vector<RayKind> kinds{
+        {"primary", Query::closest, {primary.begin(), primary.end()}, Coherence::neighbours}};
     for (RayKind& kind : {std::ref(shadow), std::ref(reflection), std::ref(bounce)}) {
         if (!kind.rays.empty()) {
             kinds.push_back(std::move(kind));

@@ -150,6 +150,7 @@ RayTextures generate_rays(const Camera& camera, int width, int height, RayGenera
     set_view(program, view_of(camera, static_cast<double>(width) / height));
     program.set("picture_size", glm::vec2(width, height));
     RayTextures rays = make_ray_textures(width, height);
+    rays.coherence = Coherence::neighbours;
     const Shape shape =
         generation == RayGeneration::interpolated ? Shape::rectangle : Shape::triangle;
     draw(program, {.textures = {rays.origins, rays.directions}, .shape = shape});

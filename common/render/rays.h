@@ -9,10 +9,16 @@
 
 namespace raysteps {
 
+// Whether the rays of neighbouring texels go much the same way, as those of a camera do, and those
+// from neighbouring points to a light; or each its own way, as rays that bounce do. It decides how
+// they are traced, never what they hit.
+enum class Coherence { alone, neighbours };
+
 // One ray per texel: origins hold the origin and t_min, directions the direction and t_max.
 struct RayTextures {
     Texture origins;
     Texture directions;
+    Coherence coherence = Coherence::alone;
 };
 
 RayTextures make_ray_textures(int width, int height);
@@ -48,7 +54,7 @@ enum class RayGeneration {
     direct,       // computed from the position of the pixel
 };
 
-// One ray through the centre of each pixel, the bottom row first.
+// One ray through the centre of each pixel, the bottom row first. They are neighbours.
 RayTextures generate_rays(const Camera& camera, int width, int height, RayGeneration generation);
 
 } // namespace raysteps

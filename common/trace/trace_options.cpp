@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "gpu/shaders.h"
 #include "program/output.h"
+#include "render/trace_rays.h"
 #include "structure/padding.h"
 
 #include <cstdio>
@@ -44,7 +45,7 @@ std::vector<std::string> part_names(const std::string& slot) {
 void add_trace_options(Options& options, TraceOptions& tracing) {
     options.choice("--triangle", tracing.triangle, "the triangle test", part_names("triangle"));
     options.choice("--structure", tracing.structure, "what the rays walk through",
-                   part_names("structure"));
+                   structure_names());
     options.input_file("--rays", tracing.rays,
                        "trace the rays of this file (.f32 or .csv) instead of a picture's");
     options.output_file("--hits", tracing.hits, "the file for the hits of --rays (.f32 or .csv)");
