@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (measure) {
-            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing,
-                          scene);
+            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"}, picture,
+                          tracing, scene);
             return;
         }
         if (!tracing.rays.empty()) {

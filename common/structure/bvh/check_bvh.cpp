@@ -137,8 +137,8 @@ std::string at_child(std::size_t place, const std::string& fault) {
            std::to_string(place / bvh4_width) + " " + fault;
 }
 
-bool is_inner(const BvhNode& child) {
-    return child.count == 0 && child.first != no_bvh4_node;
+bool is_empty_place(const BvhNode& child) {
+    return child.count == 0 && child.first == no_bvh4_node;
 }
 
 Faults faults_of_links(const Bvh4& bvh) {
@@ -150,16 +150,17 @@ Faults faults_of_links(const Bvh4& bvh) {
     }
     for (std::size_t i = 0; i < bvh.children.size(); ++i) {
         const BvhNode& child = bvh.children[i];
-        const bool first_place = i % bvh4_width == 0;
-        const bool holds_one = is_leaf(child) || is_inner(child);
-        if (holds_one && !first_place && !is_leaf(bvh.children[i - 1]) &&
-            !is_inner(bvh.children[i - 1])) {
+        const bool is_first = i % bvh4_width == 0;
+        if (is_empty_place(child)) {
+            if (is_first) {
+                faults.push_back(at_node(i / bvh4_width, "has no first child."));
+            }
+            continue;
+        }
+        if (!is_first && is_empty_place(bvh.children[i - 1])) {
             faults.push_back(at_child(i, "stands behind an empty place."));
         }
-        if (!holds_one && first_place) {
-            faults.push_back(at_node(i / bvh4_width, "has no child."));
-        }
-        if (is_leaf(child) || !holds_one) {
+        if (is_leaf(child)) {
             continue;
         }
         if (child.count < 0 || child.first <= static_cast<std::int64_t>(i / bvh4_width) ||
@@ -188,7 +189,7 @@ Faults faults_of_inner_boxes(const Bvh4& bvh) {
         const auto own = static_cast<std::size_t>(bvh.parents[i]);
         for (std::size_t place = bvh4_width * i; place < bvh4_width * (i + 1); ++place) {
             const BvhNode& child = bvh.children[place];
-            if ((is_leaf(child) || is_inner(child)) && !holds(bvh.children[own].box, child.box)) {
+            if (!is_empty_place(child) && !holds(bvh.children[own].box, child.box)) {
                 faults.push_back(at_child(own, "does not hold the boxes of its children."));
                 break;
             }

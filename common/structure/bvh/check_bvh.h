@@ -22,7 +22,7 @@ std::vector<std::string> check_bvh(const Bvh& bvh, std::span<const glm::vec3> co
 
 // The same of a tree with up to four children a node. There, of the links:
 // - a node stands behind its parent, is the child of it alone, and knows its place there;
-// - every node has a child, and empty places stand behind those that are not.
+// - every node has a first child, and empty places stand behind the others.
 std::vector<std::string> check_bvh4(const Bvh4& bvh, std::span<const glm::vec3> corners);
 
 } // namespace raysteps

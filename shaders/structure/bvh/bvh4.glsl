@@ -114,7 +114,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         do {
             // Down to a leaf, a few steps at most: rays side by side wait for each other.
             int last_left = max(left - bvh4_steps, 0);
-            if (left > last_left && place >= 0 && triangle < 0) {
+            if (left > last_left && has_bvh4_children(place) && triangle < 0) {
                 do {
                     observe_visit(place >> 3);
                     int node = bvh4_node(place);
@@ -129,9 +129,9 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
                         stack = pop_bvh4(stack);
                     }
                     --left;
-                } while (left > last_left && place >= 0 && (place & 7) != bvh4_all_seen);
+                } while (left > last_left && has_bvh4_children(place));
             }
-            if (left > 0 && place >= 0 && triangle < 0 && (place & 7) == bvh4_all_seen) {
+            if (left > 0 && is_bvh4_done(place) && triangle < 0) {
                 place = bvh4_way_up(bvh4_node(place));
                 --left;
             }

@@ -15,6 +15,16 @@ uniform isamplerBuffer bvh4_nodes;
 const int no_bvh4_place = -1;
 const int bvh4_all_seen = 5;
 
+// Whether the place is a node with children that may still be to be seen, or one without.
+
+bool has_bvh4_children(int place) {
+    return place >= 0 && (place & 7) != bvh4_all_seen;
+}
+
+bool is_bvh4_done(int place) {
+    return place >= 0 && (place & 7) == bvh4_all_seen;
+}
+
 int bvh4_node(int place) {
     return place & ~7;
 }
