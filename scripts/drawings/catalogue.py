@@ -1,0 +1,43 @@
+"""The drawings of the project: each is a description NAME.py in a folder `drawings`, and NAME.svg beside it.
+
+A description has ALT, what the drawing shows in words; HEIGHT, of 560 wide; SENTENCES of the text beside
+it that its numbers stand in; and draw(canvas, lesson)."""
+
+import importlib.util
+from dataclasses import dataclass
+from pathlib import Path
+
+from drawings.canvas import Canvas
+from drawings.lesson import Lesson
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("chapters/*/drawings", "docs/drawings")
+
+
+@dataclass
+class Drawing:
+    path: Path        # of the description
+    lesson: Lesson
+    alt: str
+    sentences: list
+    svg: str
+    numbers: list
+
+    @property
+    def file(self):
+        return self.path.with_suffix(".svg")
+
+
+def descriptions(root=ROOT):
+    return sorted(path for folder in FOLDERS for path in root.glob(f"{folder}/*.py"))
+
+
+def make(path):
+    """Draws what the description says."""
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    description = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(description)
+    lesson = Lesson(path.parent.parent / "README.md")
+    canvas = Canvas(description.HEIGHT, description.ALT)
+    description.draw(canvas, lesson)
+    return Drawing(path, lesson, description.ALT, description.SENTENCES, canvas.svg(), canvas.numbers)
