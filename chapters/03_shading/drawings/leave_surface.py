@@ -1,0 +1,50 @@
+"""To scale: where a computed hit point may lie, what the next ray's test may see, and how far the origin moves."""
+
+from drawings.places import Flat
+
+ALT = ("Left: a hit point that rounding put 21 eM behind its triangle; the ray that leaves it meets that triangle at once, "
+       "which is acne. Right, to scale: within 52 eM of the point the test may see the surface; an origin moved by 64 eM "
+       "along the normal is outside of that ball")
+HEIGHT = 416
+SENTENCES = [r"$\sqrt3 \cdot 12\,eM < 21\,eM$", r"$31\,eM$ along the normal. Together that is $52\,eM$.",
+             r"moves by $64\,eM$ along the normal of the triangle's plane",
+             r"so $64 - 52 = 12$ of them are to spare"]
+
+POINT, TEST, MOVED = 21, 31, 64
+BALL = POINT + TEST
+
+
+def draw(canvas, _lesson):
+    scale = 2.35
+    left, right = Flat(132, 196, scale), Flat(368, 196, scale)
+    for at, near, far in ((left, -46, 40), (right, -62, 66)):
+        canvas.area(at(near, POINT), at(far, POINT), at(far, -POINT), at(near, -POINT), color="quiet", outlined=False)
+        canvas.line(at(near, 0), at(far, 0), color="shape", width="thick")
+        canvas.line(at(0, 0), at(0, -POINT), color="quiet", dashed=True, width="thin")
+
+    computed = left(0, -POINT)
+    canvas.line(left(-32, 58), left(0, 0), color="ray", dashed=True)
+    own = left(POINT * 0.62, 0)
+    canvas.arrow(computed, own, color="ray", width="thick")
+    canvas.arrow(own, left(POINT * 0.62 * 2.6, POINT * 1.6), color="ray", dashed=True)
+    canvas.cross(own)
+    canvas.point(left(0, 0), hollow=True)
+    canvas.point(computed, color="ray")
+    canvas.text(own, "its own\ntriangle", "ne", color="wrong", gap=10)
+    canvas.text(computed, "computed", "s", color="ray")
+    canvas.measure(left(-24, 0), left(-24, -POINT), f"{POINT} $eM$", "w")
+    canvas.text((110, 28), "acne", title=True)
+
+    computed = right(0, -POINT)
+    start = right(0, MOVED - POINT)
+    canvas.circle(computed, BALL * scale, color="wrong", dashed=True)
+    canvas.arrow(computed, start, color="good", width="thick")
+    canvas.arrow(start, right(34, MOVED - POINT + 34 * 0.8), color="ray", width="thick")
+    canvas.point(right(0, 0), hollow=True)
+    canvas.point(computed, color="ray")
+    canvas.point(start, "new origin", "w", color="good")
+    canvas.text(computed, "computed", "e", color="ray", gap=10)
+    canvas.measure(right(-20, -POINT), right(-20, -POINT - BALL + 4.5), f"{BALL} $eM$", "w", color="wrong")
+    canvas.measure(right(50, -POINT), right(50, MOVED - POINT), f"{MOVED} $eM$", "e", color="good")
+    canvas.text((368, 28), "moved off the surface", title=True)
+    canvas.text(right(0, -POINT - BALL), "here the test may see the surface", "s", color="wrong")
