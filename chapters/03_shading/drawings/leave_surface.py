@@ -17,7 +17,7 @@ BALL = POINT + TEST
 def draw(canvas, _lesson):
     scale = 2.35
     left, right = Flat(132, 196, scale), Flat(368, 196, scale)
-    for at, near, far in ((left, -46, 40), (right, -62, 66)):
+    for at, near, far in ((left, -46, 34), (right, -56, 62)):
         canvas.area(at(near, POINT), at(far, POINT), at(far, -POINT), at(near, -POINT), color="quiet", outlined=False)
         canvas.line(at(near, 0), at(far, 0), color="shape", width="thick")
         canvas.line(at(0, 0), at(0, -POINT), color="quiet", dashed=True, width="thin")
@@ -26,7 +26,6 @@ def draw(canvas, _lesson):
     canvas.line(left(-32, 58), left(0, 0), color="ray", dashed=True)
     own = left(POINT * 0.62, 0)
     canvas.arrow(computed, own, color="ray", width="thick")
-    canvas.arrow(own, left(POINT * 0.62 * 2.6, POINT * 1.6), color="ray", dashed=True)
     canvas.cross(own)
     canvas.point(left(0, 0), hollow=True)
     canvas.point(computed, color="ray")
