@@ -20,12 +20,13 @@ class Lesson:
     def __init__(self, path):
         self.path = path
         self.text = path.read_text(encoding="utf-8")
+        self.cells = []  # of the rows that a drawing was made from
 
     def has(self, sentence):
         return _flat(sentence) in _flat(self.text)
 
     def row(self, heading, first):
-        """The cells of the row that begins with `first`, in the table whose header is `heading`."""
+        """The cells, as the drawing's own numbers, of the row that begins with `first`, in the table whose header is `heading`."""
         lines = self.text.split("\n")
         if heading not in lines:
             raise LessonError(f"{self.path}: has no table with the header {heading!r}. Look at the drawing.")
@@ -34,13 +35,14 @@ class Lesson:
                 break
             cells = [cell.strip() for cell in line.strip("|").split("|")]
             if cells[0].strip("`") == first:
+                self.cells += cells
                 return cells
         raise LessonError(f"{self.path}: the table {heading!r} has no row {first}. Look at the drawing.")
 
     def lacking(self, sentences, shown):
         """What is wrong between a drawing and its lesson: sentences, one for each fault."""
         faults = [f"does not say: {sentence}" for sentence in sentences if not self.has(sentence)]
-        said = {number for sentence in sentences for number in numbers(_flat(sentence))}
+        said = {number for sentence in [*sentences, *self.cells] for number in numbers(_flat(sentence))}
         faults += [f"its drawing shows {number}, which stands in none of the sentences that it names"
                    for number in sorted(set(shown) - said)]
         return faults

@@ -5,7 +5,7 @@ from drawings.places import Flat
 
 ALT = ("Three rulers of the same length: floats from 1 on lie 2^-23 apart, from 4 on four times as far, from 16 on sixteen "
        "times as far; an exact number between two of them moves by at most half an ulp when it is rounded")
-HEIGHT = 270
+HEIGHT = 282
 SENTENCES = ["From 1 to 2 an ulp is 2^{-23}, from 4 to 8 it is 2^{-21}, and from 16 to 32 it is 2^{-19}: the three rulers of "
              "the drawing are equally long, 2^{-18}."]
 
@@ -32,7 +32,7 @@ def draw(canvas, _lesson):
     canvas.point(exact, color="ray", radius=5.5)
     canvas.bow((exact[0] + 3, exact[1] - 8), ((exact[0] + kept[0]) / 2, exact[1] - 34), (kept[0] - 3, kept[1] - 10), color="ray")
     canvas.text((exact[0] + 6, exact[1]), "exact", "sw", color="ray", gap=14)
-    canvas.text((kept[0] - 6, kept[1]), "rounded: at most half an ulp away", "se", color="shape", gap=14)
+    canvas.text((kept[0] - 6, kept[1]), "rounded: at most\nhalf an ulp away", "se", color="shape", gap=14)
     canvas.text((at(LENGTH, 0)[0] + 22, 24), "one ulp", "c", color="shape")
     canvas.text((60, 24), "from", "c")
     left, right = at(coarse, 0), at(2 * coarse, 0)

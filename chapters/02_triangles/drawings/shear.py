@@ -36,4 +36,4 @@ def draw(canvas, _lesson):
         canvas.point(p, "$p$", "n" if lean else "ne")
         canvas.point(q, "$q$", "se")
         canvas.point(at(0, 0), "$o$" if lean == 0 else "$0$", "w", color="ray")
-        canvas.text(at(0.6 if lean == 0 else 0.25, 0), title, "s", gap=12, color="quiet")
+        canvas.text(at(0.9, 0), title, "s", gap=12, color="quiet")

@@ -8,7 +8,7 @@ from drawings.places import Flat, beside
 ALT = ("Two triangles with the common edge p q, seen along a ray that meets the edge. By Moeller-Trumbore each finds "
        "u + v = 1 + 2^-23, so neither is hit, and the ray slips through. By the sheared areas the one finds E(p, q) = 2^-24, "
        "the other E(q, p) = -2^-24, and one of them is hit")
-HEIGHT = 346
+HEIGHT = 354
 SENTENCES = ["A ray from 0 at a point of it, 0.4 of the way from p = (0, 1, 5) to q = (1, -2, 3): both triangles find "
              "u + v = 1 + 2^{-23}, which is over 1.",
              "In the drawing E(p, q) = 2^{-24} for the one and E(q, p) = -2^{-24} for the other: only for the other, all three "
@@ -67,7 +67,7 @@ def draw(canvas, _lesson):
         canvas.point(at(0, 0), color="ray", radius=6)
     canvas.text((150, 26), "each rounds by itself", title=True)
     canvas.text((425, 26), "the same two corners", title=True)
-    canvas.text((150, 292), "both: $u + v$ = $1 + 2^{-23}$", color="wrong")
-    canvas.text((150, 320), "the ray slips through", color="wrong")
-    canvas.text((425, 292), f"$E(p, q)$ = {power_of_two(area(p, q))}: no", color="shape")
-    canvas.text((425, 320), f"$E(q, p)$ = {power_of_two(area(q, p))}: hit", color="good")
+    canvas.text((150, 300), "both: $u + v$ = $1 + 2^{-23}$", color="wrong")
+    canvas.text((150, 328), "the ray slips through", color="wrong")
+    canvas.text((425, 300), f"$E(p, q)$ = {power_of_two(area(p, q))}: no", color="shape")
+    canvas.text((425, 328), f"$E(q, p)$ = {power_of_two(area(q, p))}: hit", color="good")

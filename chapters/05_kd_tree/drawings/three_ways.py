@@ -77,7 +77,7 @@ def draw(canvas, _lesson):
               "lll": (1.0, 0), "llu": (2.9, 0)}
     letters = {path: node if isinstance(node, str) else "" for path, node, _, _ in nodes()}
     for number, (title, way) in enumerate(names):
-        tree = Flat(-4 + 184 * number, 478, 22, 66)
+        tree = Flat(2 + 180 * number, 478, 21, 66)
         place = {path: tree(*spot) for path, spot in places.items()}
         for path in places:
             if path:

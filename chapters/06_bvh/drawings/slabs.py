@@ -5,7 +5,7 @@ from drawings.places import Flat
 ALT = ("Left: a ray is between the planes of x from t = 2 to 5 and between those of y from t = 1.25 to 3.75; both hold from 2 to "
        "3.75, and there it is in the box. Right: rays along x; one between the planes of y has a span of y without ends and is "
        "in the box from 2 to 5, one above them has none")
-HEIGHT = 470
+HEIGHT = 446
 SENTENCES = ["In the drawing the ray is between the planes of x from t = 2 to 5 and between those of y from 1.25 to 3.75: so it is in "
              "the box from 2 to 3.75.", "It starts at t = 0, as the rays beside it do."]
 
@@ -17,8 +17,8 @@ def span(axis, origin, direction):
 
 
 def draw(canvas, _lesson):
-    scale = 40
-    left, right = Flat(40, 196, scale), Flat(322, 196, scale)
+    scale = 38
+    left, right = Flat(50, 190, scale), Flat(310, 190, scale)
     for at in (left, right):
         for x in (LOWER[0], UPPER[0]):
             canvas.line(at(x, -0.2), at(x, 3.9), color="shape", dashed=True, width="thin")
@@ -33,36 +33,32 @@ def draw(canvas, _lesson):
     for axis, color in enumerate(("shape", "good")):
         for t in spans[axis]:
             canvas.point(left(t, t * 0.8), color=color, radius=6)
-    canvas.text((150, 24), "both are crossed", title=True)
-    canvas.text((432, 24), "along the planes of y", title=True)
+    canvas.text((160, 24), "both are crossed", title=True)
+    canvas.text((424, 24), "along the planes of y", title=True)
 
     canvas.arrow(right(0, 1.7), right(5.8, 1.7), color="ray", width="thick")
     canvas.arrow(right(0, 3.45), right(5.8, 3.45), color="wrong", width="thick")
 
-    def bar(at, row, start, end, color, words):
-        y = 262 + 42 * row
-        a, b = (at(start, 0)[0], y), (at(end, 0)[0], y)
+    def bar(at, row, ends, color, words=True):
+        y = 256 + 40 * row
+        a, b = ((at(t, 0)[0], y) for t in ends)
         canvas.line(a, b, color=color, width="thick")
-        return a, b, y, words
+        if words:
+            canvas.text(a, f"{ends[0]:g}", "w", color=color, gap=6)
+            canvas.text(b, f"{ends[1]:g}", "e", color=color, gap=6)
+        return a, b
 
-    for row, (axis, color) in enumerate((("x", "shape"), ("y", "good"))):
-        start, end = spans[row]
-        a, b, y, _ = bar(left, row, start, end, color, "")
-        canvas.text(a, f"{start:g}", "w", color=color, gap=6)
-        canvas.text(b, f"{end:g}", "e", color=color, gap=6)
-        canvas.text((16, y), f"${axis}$", "e", gap=0, color=color)
-    a, b, y, _ = bar(left, 2, entry, leaves, "ray", "")
-    canvas.area((a[0], y - 7), (b[0], y - 7), (b[0], y + 7), (a[0], y + 7), color="ray")
-    canvas.text((b[0], y), "in the box", "e", color="ray", gap=12)
-
-    start, end = span(0, (0.0, 1.7), (1.0, 0.0)) if False else (LOWER[0], UPPER[0])
-    a, b, y, _ = bar(right, 0, start, end, "shape", "")
-    canvas.text(a, f"{start:g}", "w", color="shape", gap=6)
-    canvas.text(b, f"{end:g}", "e", color="shape", gap=6)
-    canvas.arrow(right(-0.25, 0)[:1] + (304,), right(6, 0)[:1] + (304,), color="good", width="thick", both=True)
-    a, b, y, _ = bar(right, 2, start, end, "ray", "")
-    canvas.area((a[0], y - 7), (b[0], y - 7), (b[0], y + 7), (a[0], y + 7), color="ray")
-    canvas.text(a, "in it", "w", color="ray", gap=12)
-    canvas.text((432, 388), "beside the box: its $y$ has no span", color="wrong")
-    for at in (left, right):
-        canvas.axis(at(0, -5.6), at(6, -5.6), "$t$", [(at(0, -5.6), "0")], end_side="n")
+    both = (entry, leaves)
+    for at, x_ends, ends in ((left, spans[0], both), (right, (LOWER[0], UPPER[0]), (LOWER[0], UPPER[0]))):
+        for t in ends:
+            canvas.line((at(t, 0)[0], 256), (at(t, 0)[0], 336), color="ray", dashed=True, width="thin")
+        bar(at, 0, x_ends, "shape")
+        a, b = bar(at, 2, ends, "ray", words=False)
+        canvas.area((a[0], a[1] - 7), (b[0], a[1] - 7), (b[0], a[1] + 7), (a[0], a[1] + 7), color="ray")
+        canvas.text(a, "in the box", "w", color="ray", gap=12)
+        canvas.axis(at(0, -4.7), at(6, -4.7), "$t$", [(at(0, -4.7), "0")], end_side="n")
+    bar(left, 1, spans[1], "good")
+    canvas.text((14, 256), "$x$", "e", gap=0, color="shape")
+    canvas.text((14, 296), "$y$", "e", gap=0, color="good")
+    canvas.arrow((right(-0.3, 0)[0], 296), (right(6, 0)[0], 296), color="good", width="thick", both=True)
+    canvas.text((right(3, 0)[0], 414), "outside: nowhere between\nthe planes of $y$", color="wrong")
