@@ -4,7 +4,7 @@ from drawings.places import Flat
 
 ALT = ("A view rectangle of 4 columns and 3 rows of pixels, each with its centre; the lower left pixel is the first, and "
        "the ray of the pixel in column 2 and row 1 goes through s = 0.625, t = 0.5")
-HEIGHT = 330
+HEIGHT = 342
 SENTENCES = ["In the drawing, a picture of 4 x 3 pixels, the pixel in column 2 and row 1 has s = 2.5/4 = 0.625 and "
              "t = 1.5/3 = 0.5.", "It is (0.5, 0.5) in the first pixel, not (0, 0).", "each from 0 to 1, has the direction"]
 
@@ -13,7 +13,7 @@ COLUMN, ROW = 2, 1
 
 
 def draw(canvas, _lesson):
-    at = Flat(96, 284, 84)
+    at = Flat(96, 296, 84)
     for x in range(COLUMNS + 1):
         canvas.line(at(x, 0), at(x, ROWS), color="shape", width="thin")
     for y in range(ROWS + 1):

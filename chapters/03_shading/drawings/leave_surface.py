@@ -5,7 +5,7 @@ from drawings.places import Flat
 ALT = ("Left: a hit point that rounding put 21 eM behind its triangle; the ray that leaves it meets that triangle at once, "
        "which is acne. Right, to scale: within 52 eM of the point the test may see the surface; an origin moved by 64 eM "
        "along the normal is outside of that ball")
-HEIGHT = 416
+HEIGHT = 430
 SENTENCES = [r"$\sqrt3 \cdot 12\,eM < 21\,eM$", r"$31\,eM$ along the normal. Together that is $52\,eM$.",
              r"moves by $64\,eM$ along the normal of the triangle's plane",
              r"so $64 - 52 = 12$ of them are to spare"]
@@ -16,8 +16,8 @@ BALL = POINT + TEST
 
 def draw(canvas, _lesson):
     scale = 2.35
-    left, right = Flat(132, 196, scale), Flat(368, 196, scale)
-    for at, near, far in ((left, -46, 34), (right, -56, 62)):
+    left, right = Flat(132, 214, scale), Flat(376, 214, scale)
+    for at, near, far in ((left, -46, 34), (right, -56, 60)):
         canvas.area(at(near, POINT), at(far, POINT), at(far, -POINT), at(near, -POINT), color="quiet", outlined=False)
         canvas.line(at(near, 0), at(far, 0), color="shape", width="thick")
         canvas.line(at(0, 0), at(0, -POINT), color="quiet", dashed=True, width="thin")
@@ -29,7 +29,7 @@ def draw(canvas, _lesson):
     canvas.cross(own)
     canvas.point(left(0, 0), hollow=True)
     canvas.point(computed, color="ray")
-    canvas.text(own, "its own\ntriangle", "ne", color="wrong", gap=10)
+    canvas.text((120, 340), "the next ray hits\nits own triangle", color="wrong")
     canvas.text(computed, "computed", "s", color="ray")
     canvas.measure(left(-24, 0), left(-24, -POINT), f"{POINT} $eM$", "w")
     canvas.text((110, 28), "acne", title=True)
@@ -38,12 +38,12 @@ def draw(canvas, _lesson):
     start = right(0, MOVED - POINT)
     canvas.circle(computed, BALL * scale, color="wrong", dashed=True)
     canvas.arrow(computed, start, color="good", width="thick")
-    canvas.arrow(start, right(34, MOVED - POINT + 34 * 0.8), color="ray", width="thick")
+    canvas.arrow(start, right(36, MOVED - POINT + 36 * 0.62), color="ray", width="thick")
     canvas.point(right(0, 0), hollow=True)
     canvas.point(computed, color="ray")
     canvas.point(start, "new origin", "w", color="good")
     canvas.text(computed, "computed", "e", color="ray", gap=10)
-    canvas.measure(right(-20, -POINT), right(-20, -POINT - BALL + 4.5), f"{BALL} $eM$", "w", color="wrong")
-    canvas.measure(right(50, -POINT), right(50, MOVED - POINT), f"{MOVED} $eM$", "e", color="good")
+    canvas.measure(right(-20, -POINT), right(-20, -POINT - BALL + 4.5), f"{BALL} $eM$", "e", color="wrong")
+    canvas.measure(right(47, -POINT), right(47, MOVED - POINT), f"{MOVED} $eM$", "e", color="good")
     canvas.text((368, 28), "moved off the surface", title=True)
     canvas.text(right(0, -POINT - BALL), "here the test may see the surface", "s", color="wrong")

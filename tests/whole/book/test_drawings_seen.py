@@ -14,10 +14,10 @@ WIDTHS = (390, 1280)
 SMALLEST = 11       # of a letter, in pixels, where a drawing is 390 wide
 WORDS, SHAPES = 4.5, 3.0  # contrasts that WCAG 2.1 asks for: of text, and of what else is to be seen
 
-# Of each drawing: its frame, and of each text its box, its least letter, the box it belongs to, and its colour.
+# Of each drawing its frame and its shapes; of each text its box, its least letter, the box it belongs to, its colour.
 MEASURE = """
 const box = (element) => {
-  const all = [...element.querySelectorAll('tspan')].filter((e) => e.textContent.trim());
+  const all = element.tagName === 'text' ? [...element.querySelectorAll('tspan')].filter((e) => e.textContent.trim()) : [];
   const rects = (all.length ? all : [element]).map((e) => e.getBoundingClientRect());
   return [Math.min(...rects.map((r) => r.left)), Math.min(...rects.map((r) => r.top)),
           Math.max(...rects.map((r) => r.right)), Math.max(...rects.map((r) => r.bottom))];
@@ -27,6 +27,7 @@ return [...document.querySelectorAll('svg.drawing')].map((svg) => ({
   frame: box(svg),
   card: getComputedStyle(svg.querySelector('.back')).fill,
   colors: [...svg.querySelectorAll('*')].map((e) => [e.getAttribute('class') || '', getComputedStyle(e).color]),
+  shapes: [...svg.querySelectorAll('polyline, polygon, path, circle, rect')].map((e) => [e.outerHTML, box(e)]),
   texts: [...svg.querySelectorAll('text')].map((text) => ({
     words: text.textContent,
     box: box(text),
@@ -85,6 +86,8 @@ def faults_of(drawing, width):
         for other in texts[number + 1:]:
             if overlap(text["box"], other["box"]) > 1:
                 found.append(f"{text['words']!r} overlaps {other['words']!r}")
+    found += [f"{words} leaves the frame" for words, place in drawing["shapes"]
+              if not is_within(place, drawing["frame"])]
     for kind, color in drawing["colors"]:
         roles = set(kind.split()) & set(COLORS)
         if roles and roles != {"rule"} and contrast(color, drawing["card"]) < SHAPES:
@@ -132,7 +135,7 @@ class Faults(unittest.TestCase):
     """The measures themselves, on drawings that have faults."""
 
     def drawing(self, *texts):
-        return {"name": "a", "frame": [0, 0, 100, 100], "card": "rgb(255, 255, 255)", "colors": [],
+        return {"name": "a", "frame": [0, 0, 100, 100], "card": "rgb(255, 255, 255)", "colors": [], "shapes": [],
                 "texts": [{"words": words, "box": box, "within": within, "color": color, "size": size}
                           for words, box, within, color, size in texts]}
 
@@ -146,6 +149,10 @@ class Faults(unittest.TestCase):
             self.assertIn(fault, faults_of(self.drawing(text), 390)[0])
         two = self.drawing(("a", [1, 1, 9, 9], None, black, 12), ("b", [7, 7, 20, 20], None, black, 12))
         self.assertEqual(faults_of(two, 390), ["'a' overlaps 'b'"])
+        line = self.drawing() | {"shapes": [["<line>", [50, 50, 101, 60]]]}
+        self.assertEqual(faults_of(line, 390), ["<line> leaves the frame"])
+        pale = self.drawing() | {"colors": [["thin quiet", "rgb(190, 190, 190)"], ["rule", "rgb(190, 190, 190)"]]}
+        self.assertEqual(faults_of(pale, 390), ["a shape of thin quiet has a contrast of 1.9"])
 
     def test_contrast_is_that_of_the_guidelines(self):
         self.assertAlmostEqual(contrast("rgb(0, 0, 0)", "rgb(255, 255, 255)"), 21)
