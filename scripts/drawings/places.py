@@ -43,3 +43,8 @@ def beside(a, b, distance):
     along = math.dist(a, b)
     dx, dy = (b[1] - a[1]) / along * distance, -(b[0] - a[0]) / along * distance
     return (a[0] + dx, a[1] + dy), (b[0] + dx, b[1] + dy)
+
+
+def before(a, b, distance):
+    """The point on the way from a to b that lies this far before b: where an arrow ends that points to a box."""
+    return between(b, a, distance / math.dist(a, b))

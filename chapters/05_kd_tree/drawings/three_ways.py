@@ -1,6 +1,6 @@
 """A ray through a small tree, and how restart, backtrack and ropes come from leaf A to leaf B."""
 
-from drawings.places import Flat
+from drawings.places import Flat, before
 
 ALT = ("Above, a box cut into five leaves that a ray crosses in the order A, B, C, D, E. Below, three times its tree with the "
        "way from leaf A to leaf B: restart goes down from the root over 4 nodes, backtrack climbs one and goes down again, "
@@ -84,11 +84,11 @@ def draw(canvas, _lesson):
                 canvas.line(place[path[:-1]], place[path], color="rule")
         if number == 0:
             for a, b in zip(way, way[1:]):
-                canvas.arrow(place[a], towards(place[a], place[b]), color="ray", width="thick")
+                canvas.arrow(place[a], before(place[a], place[b], 15), color="ray", width="thick")
         elif number == 1:
             up, down = way[0], way[-1]
-            canvas.arrow(place[here], towards(place[here], place[up]), color="ray", width="thick")
-            canvas.arrow(place[up], towards(place[up], place[down]), color="ray", width="thick")
+            canvas.arrow(place[here], before(place[here], place[up], 15), color="ray", width="thick")
+            canvas.arrow(place[up], before(place[up], place[down], 15), color="ray", width="thick")
         else:
             a, b = place[here], place[way[-1]]
             canvas.bow((a[0] + 6, a[1] + 12), ((a[0] + b[0]) / 2, a[1] + 44), (b[0] - 5, b[1] + 13), color="ray", width="thick")
@@ -100,9 +100,3 @@ def draw(canvas, _lesson):
             else:
                 canvas.point(place[path], color="ray" if path in way else "shape", radius=6)
         canvas.text((tree(4.6, 0)[0], 236), title, color="ray")
-
-
-def towards(a, b, short=15):
-    """Almost to b: an arrow's head stands before what it points to."""
-    length = ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5
-    return (b[0] - (b[0] - a[0]) / length * short, b[1] - (b[1] - a[1]) / length * short)
