@@ -13,7 +13,7 @@ def draw(canvas, _lesson):
     point, lamp = at(110, 0), at(352, 146)
     canvas.line(at(10, 0), at(330, 0), color="shape", width="thick")
     canvas.arrow(point, at(110, 74), color="quiet")
-    canvas.text(at(110, 74), "$N$", "nw", color="quiet", gap=4)
+    canvas.text(at(110, 56), "$N$", "w", color="quiet", gap=6)
     end = between(point, lamp, 0.9)
     canvas.line(point, end, color="ray", width="thick")
     canvas.line((end[0] - 6, end[1] - 10), (end[0] + 6, end[1] + 10), color="ray", width="thick")
