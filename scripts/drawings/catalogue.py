@@ -11,7 +11,7 @@ from drawings.canvas import Canvas
 from drawings.lesson import Lesson
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("chapters/*/drawings", "docs/drawings")
+FOLDER = "chapters/*/drawings"
 
 
 @dataclass
@@ -29,7 +29,7 @@ class Drawing:
 
 
 def descriptions(root=ROOT):
-    return sorted(path for folder in FOLDERS for path in root.glob(f"{folder}/*.py"))
+    return sorted(root.glob(f"{FOLDER}/*.py"))
 
 
 def make(path):

@@ -55,4 +55,4 @@ def draw(canvas, _lesson):
     canvas.text((408, 150), f"{len(everything)} lines", "e", gap=0, color="shape")
     canvas.text((408, 176), "meet the box", "e", gap=0, color="shape")
     canvas.text((408, 220), f"{met} of them", "e", gap=0, color="ray")
-    canvas.text((408, 246), "meet the one\nin it", "e", gap=0, color="ray")
+    canvas.text((408, 257), "meet the one\nin it", "e", gap=0, color="ray")
