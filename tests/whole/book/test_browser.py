@@ -68,6 +68,25 @@ class Browser(BrowserTest):
                     self.keep_picture("narrow")
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
+    def test_drawings_have_the_colours_of_the_page_and_the_whole_width_of_a_phone(self):
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        self.open("02_triangles.html", width=390, height=800)
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+        seen = self.browser.execute_script("""
+            const isDark = document.body.dataset.mdColorScheme === 'slate';
+            return [...document.querySelectorAll('article img[src$=".svg"]')].map((img) => [
+              img.alt.length > 60, getComputedStyle(img).colorScheme === (isDark ? 'dark' : 'light'),
+              img.getBoundingClientRect().left, img.getBoundingClientRect().right]);""")
+        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+        self.assertGreaterEqual(len(seen), 3)
+        for has_words, follows_page, left, right in seen:
+            self.assertTrue(has_words and follows_page)
+            self.assertAlmostEqual(left, 0, delta=1)
+            self.assertAlmostEqual(right, 390, delta=1)
+
     def test_answers_open(self):
         self.open("01_rays.html")
         self.browser.execute_script("document.querySelector('details summary').click()")
