@@ -31,6 +31,10 @@ def _kinds(*words):
     return " ".join(word for word in words if word)
 
 
+def _back(height):
+    return f"<rect width='{WIDTH}' height='{height}' rx='8' class='back'/>\n"
+
+
 class Canvas:
     """Collects the elements of one drawing. Colours are roles of the palette."""
 
@@ -116,7 +120,7 @@ class Canvas:
     def box(self, left, top, width, height, words="", color="ink", filled=False, dashed=False, thickness=""):
         """A rectangle of the drawing, with words in its middle, which a test keeps within it."""
         around = f"x='{_number(left)}' y='{_number(top)}' width='{_number(width)}' height='{_number(height)}'"
-        self._add("<g class='boxed'>" if words else "<g>")
+        outside, self.elements = self.elements, []
         self._add(f"<rect {around} rx='3' class='hole'/>")
         if filled:
             self._add(f"<rect {around} rx='3' class='area {color}'/>")
@@ -124,7 +128,8 @@ class Canvas:
         self._add(f"<rect {around} rx='3' class='{kind}' style='fill: none'/>")
         if words:
             self.text((left + width / 2, top + height / 2), words, color=color, halo=False)
-        self._add("</g>")
+        outside.append(("<g class='boxed'>" if words else "<g>") + "".join(self.elements) + "</g>")
+        self.elements = outside
 
     def measure(self, a, b, words, side="n", color="quiet"):
         """A length: a line with two ends, and words at its middle."""
@@ -147,9 +152,22 @@ class Canvas:
         if words:
             self.text(b, words, end_side, color=color)
 
-    def svg(self):
-        """The drawing as the text of an SVG file."""
+    def _framed(self, inner):
         return (f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {self.height}' width='{WIDTH}' "
                 f"height='{self.height}' class='drawing' role='img' aria-label='{escape(self.alt, quote=True)}'>\n"
-                + style() + f"<rect width='{WIDTH}' height='{self.height}' rx='8' class='back'/>\n"
-                + "\n".join(self.elements) + "\n</svg>\n")
+                f"{inner}\n</svg>\n")
+
+    def svg(self):
+        """The drawing as the text of an SVG file."""
+        return self._framed(style() + _back(self.height) + "\n".join(self.elements))
+
+    def moving_svg(self, moments):
+        """The drawing for a page of the book, with a group for each moment, of which one is shown: this one. What
+        all moments have in common stands once, and below."""
+        common = [element for element in self.elements if all(element in one.elements for one in moments)]
+        groups = []
+        for one in moments:
+            kind = "moment shown" if one.elements == self.elements else "moment"
+            own = "\n".join(element for element in one.elements if element not in common)
+            groups.append(f"<g class='{kind}'>{own}</g>")
+        return self._framed(_back(self.height) + "\n".join(common + groups))

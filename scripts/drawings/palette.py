@@ -19,23 +19,31 @@ WORDS = '"DejaVu Sans", Verdana, sans-serif'
 LETTERS = '"STIX Two Text", "Times New Roman", "DejaVu Serif", serif'
 
 SHAPES = f"""
-.line {{ fill: none; stroke: currentColor; stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }}
-.thin {{ stroke-width: 1.2; }} .thick {{ stroke-width: 3.4; }} .dashed {{ stroke-dasharray: 6 6; }}
-.area {{ fill: currentColor; fill-opacity: .16; }} .solid {{ fill: currentColor; }}
 .drawing text {{ font: 16px {WORDS}; fill: currentColor; white-space: pre; }}
-.halo {{ paint-order: stroke; stroke-width: 5px; stroke-linejoin: round; }}
-.drawing .title {{ font-weight: bold; }} .middle {{ text-anchor: middle; }} .end {{ text-anchor: end; }}
-.letters {{ font: italic 20px {LETTERS}; }} .upright {{ font: 20px {LETTERS}; }} .small {{ font-size: 16px; }}
+.drawing .line {{ fill: none; stroke: currentColor; stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }}
+.drawing .thin {{ stroke-width: 1.2; }} .drawing .thick {{ stroke-width: 3.4; }}
+.drawing .dashed {{ stroke-dasharray: 6 6; }} .drawing .solid {{ fill: currentColor; }}
+.drawing .area {{ fill: currentColor; fill-opacity: .16; }}
+.drawing .halo {{ paint-order: stroke; stroke-width: 5px; stroke-linejoin: round; }}
+.drawing .title {{ font-weight: bold; }} .drawing .middle {{ text-anchor: middle; }} .drawing .end {{ text-anchor: end; }}
+.drawing .letters {{ font: italic 20px {LETTERS}; }} .drawing .upright {{ font: 20px {LETTERS}; }}
+.drawing .small {{ font-size: 16px; }}
 """
 
 
-def _colors(theme):
-    rules = "".join(f".{role} {{ color: {pair[theme]}; }} " for role, pair in COLORS.items())
-    return (f"{rules}.back {{ fill: {COLORS['card'][theme]}; }} "
-            f".halo {{ stroke: {COLORS['card'][theme]}; }} .hole {{ fill: {COLORS['card'][theme]}; }}")
+def _colors(theme, within=""):
+    """The rules of one theme, within what a selector names."""
+    rules = "".join(f"{within}.drawing .{role} {{ color: {pair[theme]}; }}\n" for role, pair in COLORS.items())
+    card = COLORS["card"][theme]
+    return (f"{rules}{within}.drawing .back, {within}.drawing .hole {{ fill: {card}; }}\n"
+            f"{within}.drawing .halo {{ stroke: {card}; }}\n")
 
 
 def style():
-    """The style sheet that each drawing has within it."""
-    return (f"<style>{SHAPES}{_colors(LIGHT)}\n"
-            f"@media (prefers-color-scheme: dark) {{ {_colors(DARK)} }}\n</style>\n")
+    """The style sheet that each drawing has within it: it follows what the reader prefers."""
+    return (f"<style>{SHAPES}{_colors(LIGHT)}@media (prefers-color-scheme: dark) {{\n{_colors(DARK)}}}\n</style>\n")
+
+
+def page_style():
+    """The style sheet of drawings that stand in a page of the book as they are: they follow the page."""
+    return SHAPES + _colors(LIGHT) + _colors(DARK, '[data-md-color-scheme="slate"] ')
