@@ -10,11 +10,12 @@ SENTENCES = [r"$\sqrt3 \cdot 12\,eM < 21\,eM$", r"$31\,eM$ along the normal. Tog
              r"moves by $64\,eM$ along the normal of the triangle's plane",
              r"so $64 - 52 = 12$ of them are to spare"]
 
-POINT, TEST, MOVED = 21, 31, 64
+POINT, TEST = 21, 31
 BALL = POINT + TEST
+MOVES = ("moved by {} eM", range(8, 81, 4), 64)
 
 
-def draw(canvas, _lesson):
+def draw(canvas, _lesson, moved):
     scale = 2.35
     left, right = Flat(132, 214, scale), Flat(376, 214, scale)
     for at, near, far in ((left, -46, 34), (right, -56, 60)):
@@ -35,15 +36,16 @@ def draw(canvas, _lesson):
     canvas.text((110, 28), "acne", title=True)
 
     computed = right(0, -POINT)
-    start = right(0, MOVED - POINT)
+    start = right(0, moved - POINT)
     canvas.circle(computed, BALL * scale, color="wrong", dashed=True)
-    canvas.arrow(computed, start, color="good", width="thick")
-    canvas.arrow(start, right(36, MOVED - POINT + 36 * 0.62), color="ray", width="thick")
+    color = "good" if moved > BALL else "wrong"
+    canvas.arrow(computed, start, color=color, width="thick")
+    canvas.arrow(start, right(36, moved - POINT + 36 * 0.62), color="ray", width="thick")
     canvas.point(right(0, 0), hollow=True)
     canvas.point(computed, color="ray")
-    canvas.point(start, "new origin", "w", color="good")
+    canvas.point(start, "new origin", "w", color=color)
     canvas.text(computed, "computed", "e", color="ray", gap=10)
     canvas.measure(right(-20, -POINT), right(-20, -POINT - BALL + 4.5), f"{BALL} $eM$", "e", color="wrong")
-    canvas.measure(right(47, -POINT), right(47, MOVED - POINT), f"{MOVED} $eM$", "e", color="good")
+    canvas.measure(right(47, -POINT), right(47, moved - POINT), f"{moved} $eM$", "e", color=color)
     canvas.text((368, 28), "moved off the surface", title=True)
     canvas.text(right(0, -POINT - BALL), "here the test may see the surface", "s", color="wrong")

@@ -10,15 +10,31 @@ SENTENCES = ["In the drawing the ray is in cell (1, 0). It crosses the next plan
              "z, which lies behind the page, at t = 5."]
 
 ORIGIN, DIRECTION = (0.0, 0.25, 0.5), (1.0, 0.5, 0.1)
-CELL = (1, 0, 0)
+CELLS = (4, 3, 1)
+MOVES = ("step {} of the walk", range(6), 1)
 
 
 def crossing(axis, plane):
     return (plane - ORIGIN[axis]) / DIRECTION[axis]
 
 
-def draw(canvas, _lesson):
+def walk(steps):
+    """The cell after so many steps, the axis of each crossing, and the next crossings."""
+    cell = [0, 0, 0]
+    while True:
+        leaves = [crossing(axis, cell[axis] + 1) for axis in range(3)]
+        first = leaves.index(min(leaves))
+        if steps == 0:
+            return tuple(cell), leaves, first
+        cell[first] += 1
+        steps -= 1
+
+
+def draw(canvas, _lesson, steps):
     at = Flat(36, 268, 80)
+    here, leaves, first = walk(steps)
+    following = tuple(i + (axis == first) for axis, i in enumerate(here))
+    is_last = following[first] >= CELLS[first]
 
     def on_ray(t):
         return at(ORIGIN[0] + t * DIRECTION[0], ORIGIN[1] + t * DIRECTION[1])
@@ -30,21 +46,21 @@ def draw(canvas, _lesson):
         canvas.line(at(x, 0), at(x, 3), color="rule")
     for y in range(4):
         canvas.line(at(0, y), at(4, y), color="rule")
-    leaves = [crossing(axis, CELL[axis] + 1) for axis in range(3)]
-    first = leaves.index(min(leaves))
-    assert first == 1
-    canvas.area(*cell(CELL[0], CELL[1] + 1), color="ray", dashed=True)
-    canvas.area(*cell(CELL[0], CELL[1]), color="ray", width="thick")
-    canvas.line(at(CELL[0] + 1, -0.12), at(CELL[0] + 1, 3.12), color="shape", width="thick")
-    canvas.line(at(-0.12, CELL[1] + 1), at(4.12, CELL[1] + 1), color="good", width="thick")
+    if not is_last:
+        canvas.area(*cell(*following[:2]), color="ray", dashed=True)
+    canvas.area(*cell(*here[:2]), color="ray", width="thick")
+    canvas.line(at(here[0] + 1, -0.12), at(here[0] + 1, 3.12), color="shape", width="thick")
+    canvas.line(at(-0.12, here[1] + 1), at(4.12, here[1] + 1), color="good", width="thick")
     canvas.arrow(on_ray(0), on_ray(4.4), color="ray", width="thick")
-    canvas.point(on_ray(leaves[0]), f"$t_x$ = {leaves[0]:g}", "se", color="shape", radius=6)
-    canvas.point(on_ray(leaves[1]), f"$t_y$ = {leaves[1]:g}", "nw", color="good", radius=6)
-    canvas.text(at(CELL[0] + 0.5, CELL[1]), "cell (1, 0)", "n", color="ray", gap=5)
+    canvas.point(on_ray(leaves[0]), "$t_x$", "se", color="shape", radius=6)
+    if leaves[1] <= 4.2:
+        canvas.point(on_ray(leaves[1]), "$t_y$", "nw", color="good", radius=6)
+    canvas.text(at(here[0] + 0.5, here[1]), f"cell ({here[0]}, {here[1]})", "n", color="ray", gap=5)
     canvas.text((392, 60), "the next crossings", "e", gap=0, color="quiet")
     for number, (name, color) in enumerate((("x", "shape"), ("y", "good"), ("z", "quiet"))):
         canvas.text((400, 92 + 28 * number), f"$t_{name}$ = {leaves[number]:g}", "e", gap=0, color=color)
-    canvas.text((470, 120), "least: up", "e", gap=8, color="good")
+    words = "the end" if is_last else f"least: {('right', 'up')[first]}"
+    canvas.text((482, 92 + 28 * first), words, "e", gap=0, color=("shape", "good")[first])
     canvas.line((8, 300), (552, 300), color="rule")
     for number, words in enumerate(("a hit before\nthe crossing", "$t_{max}$ before\nthe crossing", "no cell\nbehind it")):
         small = Flat(62 + 184 * number, 404, 76)

@@ -13,6 +13,7 @@ SIZE = (10.0, 6.0, 2.0)
 TRIANGLES = (((1, 1), (2, 1.4), (1.4, 2.6)), ((1.5, 3.2), (3, 3.6), (2, 5)), ((2, 2), (3.5, 1.2), (3.2, 2.8)),
              ((2.5, 4.6), (4, 4), (3.6, 5.4)), ((7, 1.6), (9, 3.4), (7.6, 4.4)))
 STEP, TEST, EMPTY_BONUS = 1.0, 1.5, 0.2
+MOVES = ("the plane at x = {}", [i / 4 for i in range(2, 39)], 4)
 
 
 def cost(x, triangles):
@@ -26,7 +27,7 @@ def cost(x, triangles):
     return (1 - EMPTY_BONUS) * whole if 0 in (below, above) else whole
 
 
-def draw(canvas, _lesson):
+def draw(canvas, _lesson, plane):
     node, plot = Flat(64, 200, 44, 27), Flat(64, 478, 44, 26)
     events = sorted({end for one in TRIANGLES for end in (min(c[0] for c in one), max(c[0] for c in one))})
     costs = {x: cost(x, TRIANGLES) for x in events}
@@ -42,13 +43,17 @@ def draw(canvas, _lesson):
         canvas.line(plot(start, cost(start + hair, TRIANGLES)), plot(end, cost(end - hair, TRIANGLES)), color="shape")
     leaf = TEST * len(TRIANGLES)
     canvas.line(plot(0, leaf), plot(10, leaf), color="wrong", dashed=True)
-    canvas.text(plot(5, leaf), f"a leaf: {leaf:g}", "n", color="wrong", gap=5)
-    canvas.line(node(best, 6.25), plot(best, 0), color="good", width="thick")
+    canvas.text(plot(7.2, leaf + 0.7), f"a leaf: {leaf:g}", "n", color="wrong", gap=5)
+    is_best = plane == best
+    color = "good" if is_best else "ray"
+    canvas.line(node(plane, 6.25), plot(plane, 0), color=color, width="thick")
     for x in events:
-        canvas.point(plot(x, costs[x]), color="good" if x == best else "shape", radius=6 if x == best else 4.5)
-    canvas.text(plot(best, costs[best]), f"{costs[best]:.2f}", "sw", color="good")
-    canvas.text(node(best, 6.25), f"$x$ = {best:g}", "n", color="good", gap=4)
+        canvas.point(plot(x, costs[x]), color="shape")
+    canvas.point(plot(plane, cost(plane, TRIANGLES)), color=color, radius=6)
+    canvas.text(plot(plane, cost(plane, TRIANGLES) - 0.6), f"{cost(plane, TRIANGLES):.2f}", "sw" if plane > 2 else "se", color=color)
+    canvas.text(node(plane, 6.25), f"$x$ = {plane:g}", "n", color=color, gap=4)
     middle = SIZE[0] / 2
-    canvas.point(plot(middle, cost(middle, TRIANGLES)), f"{cost(middle, TRIANGLES):.2f}", "n", hollow=True)
+    if is_best:
+        canvas.point(plot(middle, cost(middle, TRIANGLES)), f"{cost(middle, TRIANGLES):.2f}", "n", hollow=True)
     canvas.axis(plot(0, 0), plot(10.5, 0), "$x$", [(plot(x, 0), f"{x}") for x in (0, 5, 10)])
     canvas.axis(plot(0, 0), plot(0, 8.9), "cost", end_side="n")

@@ -12,11 +12,16 @@ SENTENCES = ["In the drawing the ray is between the planes of x from t = 2 to 5 
 LOWER, UPPER = (2.0, 1.0), (5.0, 3.0)
 
 
-def span(axis, origin, direction):
-    return [(plane - origin[axis]) / direction[axis] for plane in (LOWER[axis], UPPER[axis])]
+MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 33)], 0.8)
+FARTHEST = 5.9  # that is drawn
 
 
-def draw(canvas, _lesson):
+def span(axis, direction):
+    """From the first plane's t to the last one's; of an axis along which the ray does not go, nothing."""
+    return [plane / direction[axis] for plane in (LOWER[axis], UPPER[axis])] if direction[axis] else []
+
+
+def draw(canvas, _lesson, slope):
     scale = 38
     left, right = Flat(50, 190, scale), Flat(310, 190, scale)
     for at in (left, right):
@@ -26,38 +31,48 @@ def draw(canvas, _lesson):
             canvas.line(at(-0.2, y), at(5.8, y), color="good", dashed=True, width="thin")
         canvas.area(at(*LOWER), at(UPPER[0], LOWER[1]), at(*UPPER), at(LOWER[0], UPPER[1]), color="quiet")
 
-    direction = (1.0, 0.8)
-    spans = [span(axis, (0.0, 0.0), direction) for axis in range(2)]
-    entry, leaves = max(one[0] for one in spans), min(one[1] for one in spans)
-    canvas.arrow(left(0, 0), left(4.9, 4.9 * 0.8), color="ray", width="thick")
+    spans = [span(axis, (1.0, slope)) for axis in range(2)]
+    reach = min(5.6, 4.0 / slope) if slope else 5.6
+    canvas.arrow(left(0, 0), left(reach, reach * slope), color="ray", width="thick")
     for axis, color in enumerate(("shape", "good")):
         for t in spans[axis]:
-            canvas.point(left(t, t * 0.8), color=color, radius=6)
-    canvas.text((160, 24), "both are crossed", title=True)
-    canvas.text((424, 24), "along the planes of y", title=True)
-
+            if t <= reach:
+                canvas.point(left(t, t * slope), color=color, radius=6)
+    canvas.text((160, 20), "both are crossed" if slope else "one is not crossed", title=True)
+    canvas.text((424, 20), "along the planes of y", title=True)
     canvas.arrow(right(0, 1.7), right(5.8, 1.7), color="ray", width="thick")
     canvas.arrow(right(0, 3.45), right(5.8, 3.45), color="wrong", width="thick")
 
     def bar(at, row, ends, color, words=True):
         y = 256 + 40 * row
-        a, b = ((at(t, 0)[0], y) for t in ends)
+        a, b = ((at(min(t, FARTHEST), 0)[0], y) for t in ends)
+        if ends[0] > FARTHEST:
+            return
         canvas.line(a, b, color=color, width="thick")
         if words:
-            canvas.text(a, f"{ends[0]:g}", "w", color=color, gap=6)
-            canvas.text(b, f"{ends[1]:g}", "e", color=color, gap=6)
-        return a, b
+            canvas.text(a, f"{ends[0]:.3g}", "w", color=color, gap=6)
+            if ends[1] < FARTHEST - 0.4:
+                canvas.text(b, f"{ends[1]:.3g}", "e", color=color, gap=6)
 
-    both = (entry, leaves)
-    for at, x_ends, ends in ((left, spans[0], both), (right, (LOWER[0], UPPER[0]), (LOWER[0], UPPER[0]))):
+    def in_the_box(at, ends):
         for t in ends:
             canvas.line((at(t, 0)[0], 256), (at(t, 0)[0], 336), color="ray", dashed=True, width="thin")
-        bar(at, 0, x_ends, "shape")
-        a, b = bar(at, 2, ends, "ray", words=False)
+        a, b = ((at(t, 0)[0], 336) for t in ends)
         canvas.area((a[0], a[1] - 7), (b[0], a[1] - 7), (b[0], a[1] + 7), (a[0], a[1] + 7), color="ray")
         canvas.text(a, "in the box", "w", color="ray", gap=12)
+
+    bar(left, 0, spans[0], "shape")
+    if spans[1]:
+        bar(left, 1, spans[1], "good")
+        both = (max(spans[0][0], spans[1][0]), min(spans[0][1], spans[1][1]))
+    if spans[1] and both[0] <= both[1]:
+        in_the_box(left, both)
+    else:
+        canvas.text(left(3, -3.85), "beside the box", color="wrong")
+    bar(right, 0, (LOWER[0], UPPER[0]), "shape")
+    in_the_box(right, (LOWER[0], UPPER[0]))
+    for at in (left, right):
         canvas.axis(at(0, -4.7), at(6, -4.7), "$t$", [(at(0, -4.7), "0")], end_side="n")
-    bar(left, 1, spans[1], "good")
     canvas.text((14, 256), "$x$", "e", gap=0, color="shape")
     canvas.text((14, 296), "$y$", "e", gap=0, color="good")
     canvas.arrow((right(-0.3, 0)[0], 296), (right(6, 0)[0], 296), color="good", width="thick", both=True)

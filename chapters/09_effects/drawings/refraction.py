@@ -12,6 +12,7 @@ SENTENCES = ["In the drawing a ray meets glass at 60 degrees, from n = 1 to n' =
              "35.3 degrees. Within glass, at 30 degrees most of it leaves, and at 41.81 what leaves grazes the surface."]
 
 AIR, GLASS = 1.0, 1.5
+MOVES = ("{} degrees from the normal", range(10, 86, 5), 60)
 
 
 def refracted(degrees, before, behind):
@@ -30,7 +31,7 @@ def reflected_part(degrees, before, behind):
                   ((before * d - behind * c) / (before * d + behind * c)) ** 2)
 
 
-def draw(canvas, _lesson):
+def draw(canvas, _lesson, coming):
     left, right = Flat(140, 168, 1), Flat(424, 168, 1)
 
     def end(at, degrees, length, up, side):
@@ -41,7 +42,6 @@ def draw(canvas, _lesson):
         canvas.area(at(-wide, 0), at(wide, 0), at(wide, -150), at(-wide, -150), color="shape", outlined=False)
         canvas.line(at(-wide, 0), at(wide, 0), color="shape", width="thick")
     canvas.line(left(0, 120), left(0, -130), color="quiet", dashed=True, width="thin")
-    coming = 60
     going = refracted(coming, AIR, GLASS)
     part = reflected_part(coming, AIR, GLASS)
     canvas.arrow(end(left, coming, 130, True, -1), left(0, 0), color="ray", width="thick")
