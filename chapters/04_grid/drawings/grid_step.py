@@ -59,7 +59,7 @@ def draw(canvas, _lesson, steps):
     canvas.text((392, 60), "the next crossings", "e", gap=0, color="quiet")
     for number, (name, color) in enumerate((("x", "shape"), ("y", "good"), ("z", "quiet"))):
         canvas.text((400, 92 + 28 * number), f"$t_{name}$ = {leaves[number]:g}", "e", gap=0, color=color)
-    words = "the end" if is_last else f"least: {('right', 'up')[first]}"
+    words = "the end" if is_last else f"go {('right', 'up')[first]}"
     canvas.text((482, 92 + 28 * first), words, "e", gap=0, color=("shape", "good")[first])
     canvas.line((8, 300), (552, 300), color="rule")
     for number, words in enumerate(("a hit before\nthe crossing", "$t_{max}$ before\nthe crossing", "no cell\nbehind it")):

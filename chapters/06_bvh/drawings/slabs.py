@@ -12,7 +12,7 @@ SENTENCES = ["In the drawing the ray is between the planes of x from t = 2 to 5 
 LOWER, UPPER = (2.0, 1.0), (5.0, 3.0)
 
 
-MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 33)], 0.8)
+MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 30)], 0.8)
 FARTHEST = 5.9  # that is drawn
 
 

@@ -2,6 +2,9 @@
 
 import unittest
 
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
 from browser import SITE, BrowserTest, leave_if_missing
 from support import ROOT
 from book.contents import page_names
@@ -86,6 +89,25 @@ class Browser(BrowserTest):
             self.assertTrue(has_words and follows_page)
             self.assertAlmostEqual(left, 0, delta=1)
             self.assertAlmostEqual(right, 390, delta=1)
+
+    def test_a_drawing_moves_by_keys_and_by_a_pointer_and_stands_still_before(self):
+        self.open("05_kd_tree.html")
+        picture = self.browser.find_element("css selector", "[data-moving]")
+        self.browser.execute_script("arguments[0].scrollIntoView()", picture)
+        self.wait_for("return document.querySelector('figure.moving input')")
+        said = "return document.querySelector('figure.moving output').textContent"
+        shown = "return [...document.querySelectorAll('figure.moving .moment.shown')].map((e) => e.textContent).join()"
+        self.assertEqual(self.browser.execute_script(said), "the plane at x = 4")
+        self.assertIn("4.85", self.browser.execute_script(shown))
+        self.browser.find_element("css selector", "figure.moving input").send_keys(Keys.ARROW_RIGHT)
+        self.assertEqual(self.browser.execute_script(said), "the plane at x = 4.25")
+        self.assertNotIn("4.85", self.browser.execute_script(shown))
+        drawing = self.browser.find_element("css selector", "figure.moving svg")
+        ActionChains(self.browser).move_to_element_with_offset(drawing, 200, 0).click_and_hold().move_by_offset(
+            20, 0).release().perform()
+        self.assertGreater(float(self.browser.execute_script(said).split()[-1]), 8)
+        self.assertEqual(self.complaints(), [])
+        self.keep_picture("moving")
 
     def test_answers_open(self):
         self.open("01_rays.html")

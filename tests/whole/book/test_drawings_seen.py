@@ -7,7 +7,7 @@ from pathlib import Path
 
 from browser import leave_without, start_browser
 from support import ROOT
-from drawings.catalogue import descriptions
+from drawings.catalogue import descriptions, make
 from drawings.palette import COLORS
 
 WIDTHS = (390, 1280)
@@ -22,13 +22,14 @@ const box = (element) => {
   return [Math.min(...rects.map((r) => r.left)), Math.min(...rects.map((r) => r.top)),
           Math.max(...rects.map((r) => r.right)), Math.max(...rects.map((r) => r.bottom))];
 };
-return [...document.querySelectorAll('svg.drawing')].map((svg) => ({
-  name: svg.parentElement.id,
+const seen = (elements) => [...elements].filter((element) => element.getClientRects().length > 0);
+const measure = (svg, name) => ({
+  name,
   frame: box(svg),
   card: getComputedStyle(svg.querySelector('.back')).fill,
-  colors: [...svg.querySelectorAll('*')].map((e) => [e.getAttribute('class') || '', getComputedStyle(e).color]),
-  shapes: [...svg.querySelectorAll('polyline, polygon, path, circle, rect')].map((e) => [e.outerHTML, box(e)]),
-  texts: [...svg.querySelectorAll('text')].map((text) => ({
+  colors: seen(svg.querySelectorAll('*')).map((e) => [e.getAttribute('class') || '', getComputedStyle(e).color]),
+  shapes: seen(svg.querySelectorAll('polyline, polygon, path, circle, rect')).map((e) => [e.outerHTML, box(e)]),
+  texts: seen(svg.querySelectorAll('text')).map((text) => ({
     words: text.textContent,
     box: box(text),
     within: text.parentElement.classList.contains('boxed') ? box(text.parentElement.querySelector('rect')) : null,
@@ -36,16 +37,28 @@ return [...document.querySelectorAll('svg.drawing')].map((svg) => ({
     size: Math.min(...[text, ...text.querySelectorAll('tspan')].map((e) => parseFloat(getComputedStyle(e).fontSize)))
           * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width,
   })),
-}));
+});
+const measurements = [];
+for (const svg of document.querySelectorAll('svg.drawing')) {
+  const moments = [...svg.querySelectorAll('.moment')];
+  if (moments.length > 0 && !arguments[0]) continue;
+  moments.forEach((moment, i) => {
+    moments.forEach((one) => one.classList.toggle('shown', one === moment));
+    measurements.push(measure(svg, `${svg.parentElement.id} ${i}`));
+  });
+  if (moments.length === 0) measurements.push(measure(svg, svg.parentElement.id));
+}
+return measurements;
 """
 
 
-def page(files):
-    """All drawings in one page, as wide as it is, but not over their own width."""
-    figures = "".join(f"<figure id='{file.stem}' style='margin:0;max-width:560px'>{file.read_text()}</figure>\n"
-                      for file in files)
-    return ("<!doctype html><meta charset='utf-8'><style>body{margin:0} svg{display:block;width:100%;height:auto}</style>\n"
-            + figures)
+def page(drawings):
+    """All drawings in one page, as wide as it is, but not over their own width: still ones, and those that move."""
+    figures = [(drawing.path.stem, drawing.file.read_text()) for drawing in drawings]
+    figures += [(f"{drawing.path.stem} moving", drawing.moving_svg) for drawing in drawings if drawing.moments]
+    return ("<!doctype html><meta charset='utf-8'><style>body { margin: 0 } figure { margin: 0; max-width: 560px }"
+            "svg { display: block; width: 100%; height: auto } .moment:not(.shown) { display: none }</style>\n"
+            + "".join(f"<figure id='{name}'>{svg}</figure>\n" for name, svg in figures))
 
 
 def is_within(inner, outer, slack=0.5):
@@ -98,11 +111,11 @@ def faults_of(drawing, width):
 class DrawingsSeen(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.files = [path.with_suffix(".svg") for path in descriptions(ROOT)]
+        cls.drawings = [make(path) for path in descriptions(ROOT)]
         cls.folder = tempfile.mkdtemp(prefix="raysteps_test_drawings_")
         cls.browser = start_browser()
         file = Path(cls.folder) / "drawings.html"
-        file.write_text(page(cls.files))
+        file.write_text(page(cls.drawings))
         cls.browser.get(file.as_uri())
 
     @classmethod
@@ -110,19 +123,20 @@ class DrawingsSeen(unittest.TestCase):
         cls.browser.quit()
         shutil.rmtree(cls.folder)
 
-    def seen(self, width, theme):
+    def seen(self, width, theme, with_moments):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "features": [{"name": "prefers-color-scheme", "value": theme}]})
-        return self.browser.execute_script(MEASURE)
+        return self.browser.execute_script(MEASURE, with_moments)
 
     def test_words_are_large_enough_keep_apart_and_stay_within_frame_and_box(self):
         cards = set()
         for width in WIDTHS:
             for theme in ("light", "dark"):
-                drawings = self.seen(width, theme)
-                self.assertEqual([one["name"] for one in drawings], [file.stem for file in self.files])
+                with_moments = (width, theme) == (WIDTHS[0], "light")  # what differs from the still one are places
+                drawings = self.seen(width, theme, with_moments)
+                self.assertEqual(len(drawings), sum(1 + len(one.moments) * with_moments for one in self.drawings))
                 cards.update(one["card"] for one in drawings)
                 for drawing in drawings:
                     with self.subTest(drawing=drawing["name"], width=width, theme=theme):
