@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 from .errors import BookError
+from .moving import moving_script
 
 PICTURES = (".png", ".svg", ".jpg")
 SOURCE_PAGE = """<!doctype html>
@@ -57,6 +58,18 @@ class Links:
         made = self.made / path
         self.copy(made if made.exists() else self.root / path, name)
         return name
+
+    def moving(self, page, target):
+        """The script with the moments of the drawing `target` of a page; nothing where it stands still."""
+        description = (self.root / page.parent / target).with_suffix(".py")
+        if description.parent.name != "drawings" or not description.is_file():
+            return ""
+        name = f"pictures/{'_'.join(description.relative_to(self.root).with_suffix('.js').parts)}"
+        script = moving_script(description, name)
+        if script:
+            (self.out / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.out / name).write_text(script)
+        return name if script else ""
 
     def source(self, path):
         """A file as lines with numbers; a folder as a list of its files."""

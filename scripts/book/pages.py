@@ -1,10 +1,24 @@
 """Makes the pages of the book from the project's own texts."""
 
+import re
+
 from .contents import page_names, parts, title_of
 from .directives import carry_out
 from .errors import BookError
 from .links import Links
 from .markdown import change_targets, is_code, open_details, widen_lists
+
+
+DRAWING = re.compile(r"^!\[([^\[\]]*)\]\((drawings/\w+\.svg)\)$")
+
+
+def _moving(line, path, links):
+    """The line with the picture of a drawing that moves; None where there is none."""
+    found = DRAWING.match(line)
+    script = found and links.moving(path, found.group(2))
+    if not script:
+        return None
+    return f'![{found.group(1)}]({links.target(path, path, found.group(2), True)}){{ data-moving="{script}" }}'
 
 
 def make_page(path, links):
@@ -27,7 +41,7 @@ def make_page(path, links):
             made += asked_for
             made_code += [True] * len(asked_for)
             continue
-        made.append(change_targets(
+        made.append(_moving(line, path, links) or change_targets(
             open_details(line),
             lambda target, is_picture, place=place: links.target(path, place, target, is_picture)))
         made_code.append(False)

@@ -5,6 +5,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from drawings.palette import page_style
+
 from .errors import BookError, MachineError
 from .interfaces import make_interfaces
 from .pages import make_pages
@@ -12,7 +14,7 @@ from .viewer import fetch_viewer
 
 KATEX = Path("/usr/share/javascript/katex")
 KATEX_FILES = ("katex.min.js", "katex.min.css")
-OWN_FILES = ("formulas.js", "walk.js", "walk_scene.js", "book.css")
+OWN_FILES = ("formulas.js", "moving.js", "walk.js", "walk_scene.js", "book.css")
 
 
 def settings(pages, site, order):
@@ -28,9 +30,9 @@ def settings(pages, site, order):
                   "palette": {"primary": "blue grey", "accent": "deep orange"}},
         "plugins": ["search"],
         "extra": {"generator": False},
-        "extra_css": ["assets/katex/katex.min.css", "assets/book.css"],
+        "extra_css": ["assets/katex/katex.min.css", "assets/drawings.css", "assets/book.css"],
         "extra_javascript": ["assets/katex/katex.min.js", "assets/formulas.js",
-                             "assets/walk_scene.js", "assets/walk.js"],
+                             "assets/moving.js", "assets/walk_scene.js", "assets/walk.js"],
         "markdown_extensions": ["tables", "md_in_html", "attr_list", "pymdownx.superfences",
                                 {"pymdownx.arithmatex": {"generic": True}},
                                 {"pymdownx.highlight": {"anchor_linenums": False}},
@@ -47,6 +49,7 @@ def _copy_assets(root, pages, viewer):
         shutil.copyfile(KATEX / name, assets / "katex" / name)
     for name in OWN_FILES:
         shutil.copyfile(root / "docs" / "book" / "page" / name, assets / name)
+    (assets / "drawings.css").write_text(page_style())
     if viewer:
         shutil.copyfile(viewer, assets / "vtk.js")
 

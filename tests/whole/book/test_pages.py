@@ -48,6 +48,28 @@ class Pages(FolderTest):
                          "![p](pictures/chapters_04_a_expected.png)")
         self.assertEqual((self.folder / "out/pictures/chapters_04_a_expected.png").read_text(), "new")
 
+    def test_a_drawing_that_moves_names_the_script_with_its_moments(self):
+        self.write("chapters/04_a/drawings/d.svg", "<svg/>")
+        self.write("chapters/04_a/drawings/d.py", "ALT, HEIGHT, SENTENCES = 'a', 50, []\n"
+                   "MOVES = ('at {}', [1, 2, 3], 2)\n"
+                   "def draw(canvas, lesson, x):\n"
+                   "    canvas.line((0, 0), (9, 9))\n"
+                   "    canvas.text((x * 9, 9), str(x))\n")
+        script = "pictures/chapters_04_a_drawings_d.js"
+        self.assertEqual(self.made("![a](drawings/d.svg)"),
+                         f'![a](pictures/chapters_04_a_drawings_d.svg){{ data-moving="{script}" }}')
+        name, _, moments = (self.folder / "out" / script).read_text().partition(" = ")
+        moments = json.loads(moments.rstrip(";\n"))
+        self.assertIn(script, name)
+        self.assertEqual((moments["words"], moments["still"]), (["at 1", "at 2", "at 3"], 1))
+        self.assertEqual(moments["svg"].count("<polyline"), 1, "what all moments have stands once")
+
+    def test_a_drawing_that_stands_still_is_a_picture(self):
+        self.write("chapters/04_a/drawings/d.svg", "<svg/>")
+        self.write("chapters/04_a/drawings/d.py", "ALT, HEIGHT, SENTENCES = 'a', 50, []\n"
+                   "def draw(canvas, lesson):\n    canvas.text((9, 9), 'a')\n")
+        self.assertEqual(self.made("![a](drawings/d.svg)"), "![a](pictures/chapters_04_a_drawings_d.svg)")
+
     def test_a_function_stands_where_it_is_named(self):
         self.write("shaders/a.glsl", "int one() {\n    return 1;\n}\n")
         self.assertEqual(self.made("<!-- code: shaders/a.glsl one -->").split("\n")[2:],
@@ -113,7 +135,8 @@ class Contents(unittest.TestCase):
         shown = set()
         for path in page_names(ROOT):
             for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", (ROOT / path).read_text()):
-                shown.add(os.path.normpath(path.parent / target))
+                if not target.endswith(".svg"):  # drawings are made by scripts/drawings
+                    shown.add(os.path.normpath(path.parent / target))
         self.assertGreaterEqual(len(shown), 10)
         self.assertEqual(shown - made, set())
         self.assertEqual(made - shown, set())
