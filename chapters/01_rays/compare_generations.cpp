@@ -3,7 +3,7 @@
 #include "basics/statistics.h"
 #include "image/heat_map.h"
 #include "image/image.h"
-#include "program/output.h"
+#include "program/figures.h"
 #include "reference/reference_ray.h"
 #include "render/rays.h"
 
@@ -26,8 +26,9 @@ std::vector<float> lengths_of(std::span<const Ray> rays) {
 
 } // namespace
 
-void compare_generations(const Camera& camera, const PictureSize& size,
+void compare_generations(const Scene& scene, const PictureSize& size,
                          const std::filesystem::path& out, const std::filesystem::path& json) {
+    const Camera& camera = scene.camera;
     const auto generate = [&](RayGeneration generation) {
         return read_rays(generate_rays(camera, size.width, size.height, generation));
     };
@@ -64,10 +65,11 @@ void compare_generations(const Camera& camera, const PictureSize& size,
                        {"percentile_99_ulp", summary.percentile_99},
                        {"largest_ulp", summary.largest}};
     };
-    write_numbers(json, {{"interpolated", numbers(of_interpolated)},
-                         {"direct", numbers(of_direct)},
-                         {"shortest_direction", *shortest},
-                         {"longest_direction", *longest}});
+    write_figures(json, {.schema = "generations.schema.json", .scenes = {record_of(scene)}},
+                  {{"interpolated", numbers(of_interpolated)},
+                   {"direct", numbers(of_direct)},
+                   {"shortest_direction", *shortest},
+                   {"longest_direction", *longest}});
 }
 
 } // namespace raysteps

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
                           return show_directions(generate_rays(camera, width, height, generation));
                       });
         if (!picture.window) {
-            compare_generations(scene.camera, picture.size, picture.out, picture.json);
+            compare_generations(scene, picture.size, picture.out, picture.json);
         }
     });
 }

@@ -3,7 +3,7 @@
 #include "basics/error.h"
 #include "gpu/shaders.h"
 #include "image/image.h"
-#include "program/output.h"
+#include "program/figures.h"
 #include "reference/brute_force.h"
 #include "render/rays.h"
 #include "render/show_hits.h"
@@ -53,12 +53,12 @@ double percent_wrong(std::span<const Hit> hits, std::span<const ReferenceHit> ex
 
 struct Row {
     Image picture;
-    Numbers numbers;
+    Numbers::List numbers; // one for each test
 };
 
 // One row of the exhibit: the scene, traced by each test.
 Row show_row(const Scene& scene, const Limits& limits, const std::string& size) {
-    Numbers numbers = empty_list();
+    Numbers::List numbers;
     const SceneTextures textures = upload(scene);
     const RayTextures rays = generate_rays(scene.camera, side, side, RayGeneration::direct);
     const std::vector<ReferenceHit> expected = nearest_hits(read_rays(rays), scene.corners);
@@ -108,7 +108,14 @@ void show_exhibit(const Scene& scene, const std::filesystem::path& out,
     const Row inside = show_row(inside_a_ball(scene), limits, "inside a ball");
     write_picture(out / "exhibit.png",
                   stack(stack(own_size.picture, small.picture), inside.picture));
-    write_numbers(json, Numbers::List{own_size.numbers, small.numbers, inside.numbers});
+    Numbers rows = empty_list();
+    for (const Row& row : {own_size, small, inside}) {
+        for (const Numbers& numbers : row.numbers) {
+            rows.push_back(numbers);
+        }
+    }
+    write_figures(json, {.schema = "exhibit.schema.json", .scenes = {record_of(scene)}},
+                  {{"rows", rows}});
 }
 
 } // namespace raysteps

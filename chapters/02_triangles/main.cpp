@@ -45,6 +45,6 @@ int main(int argc, char** argv) {
                           return show_hits(rays, hits, textures, camera, scene.background,
                                            find_part("view", view));
                       });
-        report_trace(picture, tracing, textures, time);
+        report_trace(picture, tracing, scene, textures, time);
     });
 }

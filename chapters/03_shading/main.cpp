@@ -42,11 +42,14 @@ int main(int argc, char** argv) {
         const RayCounts& rays = renderer.ray_counts();
         std::printf("rays      %ld camera, %ld shadow, %ld mirror, in %.2f s\n", rays.camera,
                     rays.shadow, rays.mirror, seconds);
-        write_numbers(picture.json, {{"scene", picture.scene},
-                                     {"renderer", renderer_name()},
-                                     {"camera_rays", rays.camera},
-                                     {"shadow_rays", rays.shadow},
-                                     {"mirror_rays", rays.mirror},
-                                     {"seconds", seconds}});
+        if (!picture.json.empty()) {
+            write_figures(
+                picture.json, head_of("shading.schema.json", tracing, scene),
+                {{"structure", tracing.structure},
+                 {"triangle", tracing.triangle},
+                 {"rays_by_kind",
+                  {{"primary", rays.camera}, {"shadow", rays.shadow}, {"mirror", rays.mirror}}},
+                 {"seconds", seconds}});
+        }
     });
 }

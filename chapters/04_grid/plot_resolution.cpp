@@ -3,8 +3,8 @@
 #include "basics/error.h"
 #include "image/plot.h"
 #include "measure/measure_structures.h"
-#include "program/output.h"
-#include "structure/structure.h"
+#include "trace/measure_walks.h"
+#include "trace/trace_picture.h"
 
 namespace raysteps {
 
@@ -37,14 +37,16 @@ void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
             most_triangles_a_cell) {
             continue;
         }
-        MeasureRequest request{.structures = {tracing.structure},
+        MeasureRequest request{.structures = plain_structures({tracing.structure}),
                                .build_values = tracing.build_values,
                                .triangle = tracing.triangle,
                                .kinds = {"primary"},
                                .width = picture.size.width,
                                .height = picture.size.height};
         request.build_values["resolution"] = std::to_string(resolution);
-        const SceneCosts costs = StructureContest(request, limits).measure(scene, [](double) {});
+        StructureContest contest(request, limits);
+        const SceneCosts costs = measure_or_dispute(
+            contest, scene, [](double) {}, picture.out);
         const RayCosts& primary = costs.rays.front();
         visits.points.push_back({static_cast<double>(resolution), primary.visits_per_ray});
         tests.points.push_back({static_cast<double>(resolution), primary.tests_per_ray});
@@ -52,7 +54,9 @@ void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
         numbers.push_back({{"resolution", resolution},
                            {"visits_per_ray", primary.visits_per_ray},
                            {"tests_per_ray", primary.tests_per_ray},
-                           {"nanoseconds_per_ray", 1000.0 / primary.rate.median}});
+                           {"million_rays_per_second", primary.rate.median},
+                           {"lowest", primary.rate.lowest},
+                           {"highest", primary.rate.highest}});
     }
     progress(1.0);
     const std::filesystem::path path =
@@ -64,10 +68,10 @@ void plot_resolution(const PictureOptions& picture, const TraceOptions& tracing,
                       .y_scale = PlotScale::logarithmic,
                       .lines = {visits, tests, time}});
     print_written(path);
-    write_numbers(picture.json, {{"scene", picture.scene},
-                                 {"structure", tracing.structure},
-                                 {"renderer", renderer_name()},
-                                 {"resolutions", numbers}});
+    write_figures(picture.json, head_of("resolutions.schema.json", tracing, scene),
+                  {{"structure", tracing.structure},
+                   {"triangle", tracing.triangle},
+                   {"resolutions", numbers}});
 }
 
 } // namespace raysteps

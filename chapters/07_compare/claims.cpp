@@ -22,7 +22,9 @@ struct Rivals {
     RayCosts bvh;
 };
 
-bool is_in_family(const std::string& structure, const std::string& family) {
+// Whatever options it was built with.
+bool is_in_family(const std::string& contender, const std::string& family) {
+    const std::string structure = contender.substr(0, contender.find(':'));
     return structure == family || structure.starts_with(family + "_");
 }
 

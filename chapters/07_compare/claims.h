@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/measure_structures.h"
+#include "measure/scene_costs.h"
 
 #include <optional>
 #include <span>

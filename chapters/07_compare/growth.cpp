@@ -44,7 +44,12 @@ bool same_points(const GrowthLine& a, const GrowthLine& b) {
 std::string name_of(const GrowthLine& line, std::span<const GrowthLine> lines) {
     const auto same = [&](const GrowthLine& other) { return same_points(line, other); };
     const bool shared = std::ranges::count_if(lines, same) > 1;
-    return shared ? line.contender.substr(0, line.contender.find_first_of("_ ")) : line.contender;
+    if (!shared) {
+        return line.contender;
+    }
+    const std::size_t options = line.contender.find(':');
+    return line.contender.substr(0, line.contender.find_first_of("_: ")) +
+           (options == std::string::npos ? "" : line.contender.substr(options));
 }
 
 PlotLine plot_line(const GrowthLine& line, const std::string& name) {

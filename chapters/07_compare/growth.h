@@ -1,7 +1,7 @@
 #pragma once
 
 #include "basics/statistics.h"
-#include "measure/measure_structures.h"
+#include "measure/scene_costs.h"
 
 #include <filesystem>
 #include <span>

@@ -1,12 +1,43 @@
 // Chapter 07: all structures and all walks in one run, and Embree beside them.
+#include "basics/error.h"
+#include "basics/text.h"
 #include "builds.h"
 #include "render/show_hits.h"
 #include "run_comparison.h"
 #include "trace/trace_picture.h"
 
+#include <algorithm>
+
 using namespace raysteps;
 
 namespace {
+
+std::vector<StructureChoice> parse_structures(const std::string& text) {
+    std::vector<StructureChoice> structures;
+    for (const std::string& word : split_words(text, ',')) {
+        walk_parts("watertight", word.substr(0, word.find(':'))); // which names those that there are
+        structures.push_back(parse_structure(word));
+        const auto same = [&](const StructureChoice& one) { return one.text == word; };
+        if (std::ranges::count_if(structures, same) > 1) {
+            throw InputError("--structure " + text + ": " + word +
+                             " is named twice. Give one of the two other options, or leave it "
+                             "out.");
+        }
+    }
+    return structures;
+}
+
+// What traces a file of rays or fills a window is one walk.
+void take_only_structure(const std::vector<StructureChoice>& structures, TraceOptions& tracing) {
+    if (structures.size() > 1) {
+        throw InputError("--structure: rays of a file and of a window go through one structure. "
+                         "Name one.");
+    }
+    tracing.structure = structures.front().structure;
+    for (const auto& [name, value] : structures.front().values) {
+        tracing.build_values[name] = value;
+    }
+}
 
 void show_normals(const PictureOptions& picture, const TraceOptions& tracing) {
     const Scene scene = load_scene(picture);
@@ -35,7 +66,11 @@ int main(int argc, char** argv) {
     Comparison comparison;
     bool builds = false;
     add_picture_options(options, picture);
-    add_trace_options(options, tracing);
+    options.value("--structure", "",
+                  "only these, between commas; each may have options of its builder for itself, as "
+                  "in bvh_ordered,bvh_ordered:split=median:bins=8 (default: ten walks)",
+                  [&](const std::string& text) { comparison.structures = parse_structures(text); });
+    add_walk_options(options, tracing);
     options.list("--scenes", comparison.scenes,
                  "the scenes to compare in: names and files between commas");
     options.number("--growth", comparison.growth,
@@ -48,7 +83,16 @@ int main(int argc, char** argv) {
                    1e-9, 1e9);
     options.text("--embree", comparison.embree, "auto, robust, fast or off");
     options.flag("--builds", builds, "only build: our BVH and Embree's, in turn, on one thread");
+    options.input_file(
+        "--against", comparison.against,
+        "the --json file of an earlier run to compare with: exit code 1 where a walk "
+        "is slower than then beyond doubt");
+    options.excludes("--against", {"--rays", "--window", "--builds"});
+    options.excludes("--builds", {"--structure"});
     return options.run(argc, argv, [&] {
+        if (options.given("--structure") && (picture.window || !tracing.rays.empty())) {
+            take_only_structure(comparison.structures, tracing);
+        }
         if (!tracing.rays.empty()) {
             const Scene scene = load_scene(picture);
             const auto context = open_context(picture);
@@ -70,9 +114,6 @@ int main(int argc, char** argv) {
         if (builds) {
             run_builds(picture, tracing, comparison);
             return;
-        }
-        if (options.given("--structure")) {
-            comparison.structures = {tracing.structure};
         }
         run_comparison(picture, tracing, comparison);
     });

@@ -1,14 +1,19 @@
 #include "run_comparison.h"
 
+#include "against.h"
+#include "basics/error.h"
 #include "basics/text.h"
 #include "claims.h"
 #include "growth.h"
-#include "measure/measure_structures.h"
-#include "program/output.h"
+#include "program/figures.h"
+#include "trace/measure_walks.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
+#include <optional>
 
 namespace raysteps {
 
@@ -17,10 +22,9 @@ namespace {
 // All that a run found out.
 struct ComparisonReport {
     std::vector<SceneCosts> results;
+    std::vector<SceneRecord> scenes;
     std::vector<ClaimResult> claims;
     std::vector<GrowthLine> growth{};
-    std::string renderer{};
-    std::string embree{}; // its name; empty where it took no part
 };
 
 const BuildCosts& build_of(const SceneCosts& result, const std::string& contender) {
@@ -36,16 +40,22 @@ const BuildCosts& build_of(const SceneCosts& result, const std::string& contende
 // For people: what each contender took to build, then one line per kind and contender. A star marks
 // rates of a part of the rays.
 std::string table_of(const SceneCosts& result) {
+    std::size_t width = 21;
+    for (const BuildCosts& build : result.builds) {
+        width = std::max(width, build.contender.size());
+    }
     std::string table = fmt::format("\n{}, {} triangle{}\n", result.scene, result.triangles,
                                     result.triangles == 1 ? "" : "s");
-    table += "contender             build s    MB\n";
+    table += fmt::format("{:{}} build s    MB\n", "contender", width);
     for (const BuildCosts& build : result.builds) {
-        table += fmt::format("{:21} {:7.3f} {:5.1f}\n", build.contender,
+        table += fmt::format("{:{}} {:7.3f} {:5.1f}\n", build.contender, width,
                              fact_of(build, "build_seconds"), fact_of(build, "memory_bytes") / 1e6);
     }
-    table += "contender             rays             visits    tests  Mrays/s (range)          "
-             "cores  other answers\n";
+    table += fmt::format("{:{}} rays             visits    tests  Mrays/s (range)          cores  "
+                         "other answers\n",
+                         "contender", width);
     bool any_sampled = false;
+    std::size_t fewest_judged = std::numeric_limits<std::size_t>::max();
     for (const RayCosts& row : result.rays) {
         const bool sampled = row.rays < row.all_rays;
         any_sampled = any_sampled || sampled;
@@ -53,20 +63,27 @@ std::string table_of(const SceneCosts& result) {
             is_embree(row.contender)
                 ? "       -        -"
                 : fmt::format("{:8.1f} {:8.2f}", row.visits_per_ray, row.tests_per_ray);
-        table += fmt::format("{:21} {:10} {:7}{} {}  {:<7.3g} ({:.3g} to {:.3g})  {:5.2f}  {}\n",
-                             row.contender, row.kind, row.rays, sampled ? "*" : " ", counts,
+        table += fmt::format("{:{}} {:10} {:7}{} {}  {:<7.3g} ({:.3g} to {:.3g})  {:5.2f}  {}\n",
+                             row.contender, width, row.kind, row.rays, sampled ? "*" : " ", counts,
                              row.rate.median, row.rate.lowest, row.rate.highest, row.cores,
                              row.different);
+        if (!is_embree(row.contender)) {
+            fewest_judged = std::min(fewest_judged, row.judged);
+        }
     }
     if (any_sampled) {
         table += "* too slow for all rays in the time there is: runs of 64, from all over.\n";
     }
+    table += fmt::format("No walk differs from another, nor from the loop over every triangle in a "
+                         "random sample of {}\nor more of its rays: of each kind at most {:.2g} % "
+                         "are wrong (95 % confidence).\n",
+                         fewest_judged, 100.0 * bound_of_wrong(fewest_judged));
     return table;
 }
 
 // For programs: a line of names, then one line per scene, contender and kind.
 std::string to_csv(std::span<const SceneCosts> results) {
-    std::string csv = "scene,triangles,contender,rays,count,of,visits_per_ray,tests_per_ray,"
+    std::string csv = "scene,triangles,contender,kind,rays,all_rays,visits_per_ray,tests_per_ray,"
                       "million_rays_per_second,lowest,highest,cores,build_seconds,memory_bytes,"
                       "other_answers\n";
     for (const SceneCosts& result : results) {
@@ -76,7 +93,7 @@ std::string to_csv(std::span<const SceneCosts> results) {
                 csv_field(result.scene) +
                 fmt::format(
                     ",{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.12g},{}\n",
-                    result.triangles, row.contender, row.kind, row.rays, row.all_rays,
+                    result.triangles, csv_field(row.contender), row.kind, row.rays, row.all_rays,
                     row.visits_per_ray, row.tests_per_ray, row.rate.median, row.rate.lowest,
                     row.rate.highest, row.cores, fact_of(build, "build_seconds"),
                     fact_of(build, "memory_bytes"), row.different);
@@ -98,55 +115,6 @@ std::string table_of(std::span<const ClaimResult> claims) {
     return table;
 }
 
-Numbers row_numbers(const RayCosts& row) {
-    Numbers numbers{{"contender", row.contender}, {"rays", row.rays},
-                    {"of", row.all_rays},         {"million_rays_per_second", row.rate.median},
-                    {"lowest", row.rate.lowest},  {"highest", row.rate.highest},
-                    {"cores", row.cores},         {"other_answers", row.different}};
-    if (!is_embree(row.contender)) {
-        numbers["visits_per_ray"] = row.visits_per_ray;
-        numbers["tests_per_ray"] = row.tests_per_ray;
-    }
-    return numbers;
-}
-
-// The rows of one kind, our best walk among them, and its ratio to Embree.
-Numbers kind_numbers(const SceneCosts& result, const std::string& kind) {
-    Numbers numbers{{"kind", kind}, {"walks", empty_list()}};
-    for (const RayCosts& row : result.rays) {
-        if (row.kind == kind) {
-            numbers["walks"].push_back(row_numbers(row));
-        }
-    }
-    if (const RayCosts* const best = fastest_walk(result, kind)) {
-        numbers["best_walk"] = best->contender;
-    }
-    if (const auto ratio = ratio_to_embree(result, kind)) {
-        numbers["ratio_to_embree"] = ratio->by_clock;
-        numbers["ratio_by_cpu_time"] = ratio->by_cpu;
-    }
-    return numbers;
-}
-
-Numbers scene_numbers(const SceneCosts& result) {
-    Numbers builds = empty_list();
-    for (const BuildCosts& build : result.builds) {
-        Numbers facts = empty_object();
-        for (const Fact& fact : build.facts) {
-            facts[fact.name] = fact.value;
-        }
-        builds.push_back({{"contender", build.contender}, {"facts", facts}});
-    }
-    Numbers kinds = empty_list();
-    for (const std::string& kind : kinds_of(std::span(&result, 1))) {
-        kinds.push_back(kind_numbers(result, kind));
-    }
-    return {{"scene", result.scene},
-            {"triangles", result.triangles},
-            {"structures", builds},
-            {"rays", kinds}};
-}
-
 Numbers claim_numbers(const ClaimResult& claim) {
     Numbers cases = empty_list();
     for (const ClaimCase& one : claim.cases) {
@@ -162,20 +130,25 @@ Numbers claim_numbers(const ClaimResult& claim) {
 Numbers growth_numbers(const GrowthLine& line) {
     Numbers points = empty_list();
     for (const GrowthPoint& point : line.points) {
-        points.push_back({{"triangles", point.triangles}, {"cost", point.cost}});
+        points.push_back(
+            {{"triangles", static_cast<std::int64_t>(point.triangles)}, {"cost", point.cost}});
     }
     return {{"contender", line.contender},
-            {"cost", line.cost},
+            {"cost_of", line.cost},
             {"exponent", line.exponent},
             {"points", points}};
 }
 
-// For programs: per scene and kind of rays the rates of all contenders, our best walk, and its
-// ratio to Embree by single rays where that took part; then claims and growth.
-Numbers numbers_of(const ComparisonReport& report) {
+std::string to_word(EmbreePart part) {
+    return part == EmbreePart::none ? "off" : part == EmbreePart::fast ? "fast" : "robust";
+}
+
+// For programs: what was measured in each scene; then claims and growth.
+Numbers numbers_of(const ComparisonReport& report, const PictureOptions& picture,
+                   const TraceOptions& tracing, const Comparison& comparison) {
     Numbers scenes = empty_list();
     for (const SceneCosts& result : report.results) {
-        scenes.push_back(scene_numbers(result));
+        scenes.push_back(numbers_of(result));
     }
     Numbers claims = empty_list();
     for (const ClaimResult& claim : report.claims) {
@@ -185,11 +158,23 @@ Numbers numbers_of(const ComparisonReport& report) {
     for (const GrowthLine& line : report.growth) {
         growth.push_back(growth_numbers(line));
     }
-    return {{"renderer", report.renderer},
-            {"embree", report.embree},
+    return {{"width", picture.size.width},
+            {"height", picture.size.height},
+            {"rounds", comparison.rounds},
+            {"triangle", tracing.triangle},
+            {"embree", comparison.embree_part != EmbreePart::none ? embree_name() : ""},
+            {"embree_mode", to_word(comparison.embree_part)},
             {"scenes", scenes},
             {"claims", claims},
             {"growth", growth}};
+}
+
+std::vector<std::string> names_of(const std::vector<StructureChoice>& choices) {
+    std::vector<std::string> names;
+    for (const StructureChoice& choice : choices) {
+        names.push_back(choice.structure);
+    }
+    return names;
 }
 
 std::vector<std::string> scenes_of(const Comparison& comparison) {
@@ -200,32 +185,44 @@ std::vector<std::string> scenes_of(const Comparison& comparison) {
     return scenes;
 }
 
-std::vector<SceneCosts> measure_scenes(const PictureOptions& picture, const TraceOptions& tracing,
-                                       const Comparison& comparison) {
+// Reports what was measured, and in which scenes.
+ComparisonReport measure_scenes(const PictureOptions& picture, const TraceOptions& tracing,
+                                const Comparison& comparison, const EarlierRun* earlier) {
     StructureContest contest({.structures = comparison.structures,
                               .build_values = tracing.build_values,
                               .triangle = tracing.triangle,
                               .kinds = {"primary", "shadow", "reflection", "bounce"},
                               .embree = comparison.embree_part,
-                              .judge = "bvh_ordered",
+                              .first_walk = "bvh_ordered",
                               .width = picture.size.width,
                               .height = picture.size.height,
                               .rounds = comparison.rounds,
                               .most_seconds = comparison.most_seconds},
                              measure_limits());
-    std::vector<SceneCosts> results;
+    ComparisonReport report;
     for (const std::string& name : scenes_of(comparison)) {
         const Scene scene = load_scene(picture, name);
-        results.push_back(contest.measure(scene, show_progress("measuring " + name)));
-        std::cout << table_of(results.back()) << std::flush;
+        report.scenes.push_back(record_of(scene));
+        if (earlier != nullptr) {
+            check_scene(*earlier, report.scenes.back());
+        }
+        report.results.push_back(
+            measure_or_dispute(contest, scene, show_progress("measuring " + name), picture.out));
+        std::cout << table_of(report.results.back()) << std::flush;
     }
-    return results;
+    return report;
 }
 
 } // namespace
 
 void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                     const Comparison& comparison) {
+    check_build_values(tracing.build_values, names_of(comparison.structures));
+    std::optional<EarlierRun> earlier;
+    if (!comparison.against.empty()) {
+        earlier = read_earlier_run(comparison.against);
+        check_request(*earlier, picture.size, tracing.triangle, scenes_of(comparison));
+    }
     // Scenes are loaded one after the other, but a wrong name is found before any work.
     load_scene(picture, scenes_of(comparison).front());
     const auto context = open_context(picture);
@@ -233,13 +230,15 @@ void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                       ? "Embree    " + embree_name() + ", beside ours\n"
                       : "Embree    takes no part (to have it: the package libembree-dev, and "
                         "--embree auto)\n");
-    ComparisonReport report{.results = measure_scenes(picture, tracing, comparison),
-                            .claims = {},
-                            .renderer = renderer_name(),
-                            .embree =
-                                comparison.embree_part != EmbreePart::none ? embree_name() : ""};
+    if (earlier) { // what cannot be compared is refused before any work
+        choose_yardstick(*earlier,
+                         with_head({.schema = compare_schema},
+                                   numbers_of(ComparisonReport{}, picture, tracing, comparison)));
+    }
+    ComparisonReport report =
+        measure_scenes(picture, tracing, comparison, earlier ? &*earlier : nullptr);
     std::vector<ProgramLength> programs;
-    for (const std::string& structure : comparison.structures) {
+    for (const std::string& structure : names_of(comparison.structures)) {
         programs.push_back(program_length(structure));
     }
     report.claims = judge_speed(report.results);
@@ -248,11 +247,26 @@ void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
     std::cout << "\nThe paper's claims (Mrays/s of the fastest walk of each family)\n"
               << table_of(report.claims) << to_table(report.growth) << "\n";
 
-    const Numbers numbers = numbers_of(report);
+    const FiguresHead head{.schema = compare_schema,
+                           .scenes = report.scenes,
+                           .builders = used_builders(comparison.structures, tracing.build_values)};
+    const Numbers numbers = numbers_of(report, picture, tracing, comparison);
     write_text(picture.out / "compare.csv", to_csv(report.results));
-    write_numbers(picture.out / "compare.json", numbers);
-    write_numbers(picture.json, numbers);
+    write_figures(picture.out / "compare.json", head, numbers);
+    write_figures(picture.json, head, numbers);
     plot_growth(picture.out, report.growth);
+    if (!earlier) {
+        return;
+    }
+    const AgainstReport against = report_against(*earlier, with_head(head, numbers));
+    std::cout << against.text;
+    if (against.slower > 0) {
+        throw Error(
+            ExitCode::check_failed,
+            fmt::format("--against {}: {} of {} rates are lower than then beyond doubt. See "
+                        "the table above, and measure again to be sure.",
+                        comparison.against.string(), against.slower, against.rates));
+    }
 }
 
 } // namespace raysteps

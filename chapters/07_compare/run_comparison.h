@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/measure_structures.h"
 #include "reference/embree/embree.h"
 #include "trace/trace_options.h"
 
@@ -10,19 +11,21 @@ namespace raysteps {
 
 struct Comparison {
     std::vector<std::string> scenes{"compact", "knot", "stadium", "cornell_box", "bunny"};
-    std::vector<std::string> structures{
-        "grid",           "grid_mailbox", "kd_restart", "kd_backtrack",
-        "kd_short_stack", "kd_ropes",     "bvh_skip",   "bvh_ordered",
-        "bvh_parent",     "bvh_stack",    "bvh4"};
+    std::vector<StructureChoice> structures = plain_structures(
+        {"grid", "grid_mailbox", "kd_restart", "kd_backtrack", "kd_short_stack", "kd_ropes",
+         "bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"});
     int growth = 3; // the depth of the largest sphereflake; -1: none
     int rounds = 5;
     double most_seconds = 0.2;
     std::string embree = "auto";
     EmbreePart embree_part = EmbreePart::none;
+    std::filesystem::path against{}; // the JSON of an earlier run; empty: none
 };
 
 // Measures all structures in all scenes, prints tables and verdicts, and writes compare.csv,
 // compare.json and the plots to the folder of --out, and the JSON to the file of --json as well.
+// With --against, compares with the earlier run, and throws Error with exit code 1 where a walk is
+// slower than then beyond doubt.
 void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                     const Comparison& comparison);
 

@@ -5,7 +5,7 @@
 #include "basics/text.h"
 #include "gpu/context.h"
 #include "image/image_file.h"
-#include "program/output.h"
+#include "program/figures.h"
 #include "scene_needs.h"
 #include "structure/padding.h"
 #include "subject.h"
@@ -18,9 +18,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
-#include <memory>
 
 namespace raysteps {
 
@@ -28,64 +26,27 @@ namespace {
 
 // All that a report says.
 struct AccuracyReport {
-    std::string scene;
+    SceneRecord scene;
     std::vector<std::pair<std::string, std::string>> circumstances{};
     std::vector<std::string> scene_needs{}; // sentences
     std::vector<TradeOffResult> results{};
     std::vector<Advice> advice{};
 };
 
-// The first line that a command prints; empty where it fails.
-std::string line_of(const std::string& command) {
-    // NOLINTNEXTLINE(cert-env33-c): the words are ours
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-    char line[128] = "";
-    if (!pipe || std::fgets(line, sizeof line, pipe.get()) == nullptr) {
-        return "";
-    }
-    std::string text = line;
-    while (!text.empty() && text.back() == '\n') {
-        text.pop_back();
-    }
-    return text;
-}
-
-std::string commit() {
-    const std::string known = line_of("git -C '" RAYSTEPS_SOURCE_DIR
-                                      "' describe --always --dirty --abbrev=12 2>/dev/null");
-    return known.empty() ? "unknown: no git, or no repository" : known;
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", std::gmtime(&now));
-    return text;
-}
-
 // The processor time of the process where OpenGL runs on the processor, else the clock on the wall.
 Clock clock_of_renderer() {
-    const std::string renderer = renderer_name();
-    for (const std::string on_processor : {"llvmpipe", "softpipe", "SWR"}) {
-        if (renderer.find(on_processor) != std::string::npos) {
-            return Clock::processor;
-        }
-    }
-    return Clock::wall;
+    return runs_on_processor(renderer_name()) ? Clock::processor : Clock::wall;
 }
 
-// What somebody needs to measure again: date, renderer, clock, compiler and its flags, the commit
-// of the source, seed, rounds and rays.
+// What somebody needs to measure again beside what the head has: clock, compiler and its flags,
+// seed, rounds and rays.
 std::vector<std::pair<std::string, std::string>> circumstances_of(const Effort& effort) {
     return {
-        {"date", today()},
-        {"renderer", renderer_name()},
         {"time", clock_of_renderer() == Clock::processor
                      ? "processor time of the process, all threads together"
                      : "time on the wall"},
         {"compiler", RAYSTEPS_COMPILER},
         {"flags", RAYSTEPS_FLAGS},
-        {"commit", commit()},
         {"seed", std::to_string(effort.seed)},
         {"rounds", fmt::format("{}, after one that is dropped; methods take turns", effort.rounds)},
         {"rays per family",
@@ -252,8 +213,7 @@ Numbers result_numbers(const TradeOffResult& result) {
 
 // For programs, and for scripts/accuracy_page.
 Numbers to_numbers(const AccuracyReport& report) {
-    Numbers numbers{{"scene", report.scene},
-                    {"circumstances", empty_object()},
+    Numbers numbers{{"circumstances", empty_object()},
                     {"scene_needs", report.scene_needs},
                     {"advice", empty_list()},
                     {"trade_offs", empty_list()}};
@@ -395,13 +355,14 @@ void make_report(const PictureOptions& options, const ReportRequest& request) {
     trade_offs.effort.seed = request.seed;
     trade_offs.effort.rounds = request.rounds;
     const SceneNeeds needs = find_needs(scene);
+    const SceneRecord scene_record = record_of(scene);
     const float reach = reach_of(scene.camera.eye, scene.corners);
     trade_offs.scene = make_subject(std::move(scene), reach);
     const bool aim_at_scene = request.own_scene && needs.triangles > needs.without_area;
     trade_offs.mesh = aim_at_scene ? trade_offs.scene : usual_subject();
     trade_offs.effort = affordable(trade_offs.effort, *trade_offs.mesh);
 
-    AccuracyReport report{.scene = options.scene,
+    AccuracyReport report{.scene = scene_record,
                           .circumstances = circumstances_of(trade_offs.effort),
                           .scene_needs = to_sentences(needs)};
     for (const TradeOffMaker& maker : makers) {
@@ -423,8 +384,10 @@ void make_report(const PictureOptions& options, const ReportRequest& request) {
         std::cout << "  " << sentence << "\n";
     }
     write_text(options.out / "accuracy.csv", to_csv(report.results));
-    write_text(options.out / "accuracy.json", to_numbers(report).to_json() + "\n");
-    write_numbers(options.json, to_numbers(report));
+    const FiguresHead head{.schema = "accuracy.schema.json", .scenes = {report.scene}};
+    const Numbers figures = to_numbers(report);
+    write_figures(options.out / "accuracy.json", head, figures);
+    write_figures(options.json, head, figures);
     std::cout << std::flush;
     make_page(options.out / "accuracy.json");
 }

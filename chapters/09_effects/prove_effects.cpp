@@ -20,7 +20,7 @@ namespace raysteps {
 namespace {
 
 struct SceneProof {
-    std::string scene;
+    SceneRecord scene;
     std::size_t different_pixels = 0;
     RayTally planned;
     RayTally everything;
@@ -52,6 +52,7 @@ public:
         called_ = plan("").effects;
     }
 
+    const Scene& scene() const { return scene_; }
     const EffectSet& called() const { return called_; }
 
     void add_effects(const std::string& name, const std::string& choice) {
@@ -116,7 +117,7 @@ SceneProof prove(const PictureSize& size, const TraceOptions& tracing, const Qua
     for (const ContestTimes& times : run_contest(renderings.contenders(), rounds)) {
         seconds.push_back(cpu_seconds(times).median);
     }
-    SceneProof result{.scene = scene,
+    SceneProof result{.scene = record_of(renderings.scene()),
                       .different_pixels = count_different(renderings.image(0), renderings.image(1)),
                       .planned = renderings.tally(0),
                       .everything = renderings.tally(1),
@@ -154,7 +155,7 @@ void print(const std::vector<SceneProof>& proofs) {
     std::printf("\n| scene | rays | uncalled rays | different pixels | planned s | everything s | "
                 "saved | to chapter 03 |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (const SceneProof& proof : proofs) {
-        std::printf("| %s | %ld | %ld | %zu | %.2f | %.2f | %.0f %% |", proof.scene.c_str(),
+        std::printf("| %s | %ld | %ld | %zu | %.2f | %.2f | %.0f %% |", proof.scene.scene.c_str(),
                     all_rays(proof.planned), uncalled_rays(proof), proof.different_pixels,
                     proof.planned_seconds, proof.everything_seconds,
                     100.0 * (1.0 - proof.planned_seconds / proof.everything_seconds));
@@ -166,7 +167,7 @@ void print(const std::vector<SceneProof>& proofs) {
     }
     std::printf("\nWhat leaving out one of its effects saves:\n");
     for (const SceneProof& proof : proofs) {
-        std::printf("%-14s", proof.scene.c_str());
+        std::printf("%-14s", proof.scene.scene.c_str());
         for (const auto& [effect, seconds] : proof.without) {
             std::printf(" %s %.0f %%", effect.c_str(),
                         100.0 * (1.0 - seconds / proof.planned_seconds));
@@ -178,17 +179,19 @@ void print(const std::vector<SceneProof>& proofs) {
 Numbers numbers_of(const std::vector<SceneProof>& proofs) {
     Numbers numbers = empty_list();
     for (const SceneProof& proof : proofs) {
-        Numbers one{{"scene", proof.scene},
-                    {"rays", all_rays(proof.planned)},
-                    {"uncalled_rays", uncalled_rays(proof)},
-                    {"different_pixels", proof.different_pixels},
-                    {"planned_seconds", proof.planned_seconds},
-                    {"everything_seconds", proof.everything_seconds}};
+        Numbers one{
+            {"scene", proof.scene.scene},
+            {"rays", all_rays(proof.planned)},
+            {"uncalled_rays", uncalled_rays(proof)},
+            {"different_pixels", proof.different_pixels},
+            {"cpu_seconds",
+             {{"planned", proof.planned_seconds}, {"everything", proof.everything_seconds}}},
+            {"cpu_seconds_without", empty_object()}};
         if (!std::isnan(proof.chapter_03_seconds)) {
-            one["chapter_03_seconds"] = proof.chapter_03_seconds;
+            one["cpu_seconds"]["chapter_03"] = proof.chapter_03_seconds;
         }
         for (const auto& [effect, seconds] : proof.without) {
-            one["seconds_without"][effect] = seconds;
+            one["cpu_seconds_without"][effect] = seconds;
         }
         numbers.push_back(one);
     }
@@ -201,7 +204,7 @@ void draw_chart(const std::filesystem::path& path, const std::vector<SceneProof>
                    .labels = {},
                    .series = {{"planned", {}}, {"everything", {}}, {"chapter 03", {}}}};
     for (const SceneProof& proof : proofs) {
-        chart.labels.push_back(proof.scene);
+        chart.labels.push_back(proof.scene.scene);
         chart.series[0].values.push_back(1.0);
         chart.series[1].values.push_back(proof.everything_seconds / proof.planned_seconds);
         chart.series[2].values.push_back(proof.chapter_03_seconds / proof.planned_seconds);
@@ -222,7 +225,16 @@ bool prove_effects(const PictureOptions& picture, const TraceOptions& tracing, c
     }
     print(proofs);
     draw_chart(picture.out / "proof.png", proofs);
-    write_numbers(picture.json, numbers_of(proofs));
+    FiguresHead head{.schema = "proof.schema.json",
+                     .builders = {{tracing.structure,
+                                   used_build_values(tracing.structure, tracing.build_values)}}};
+    for (const SceneProof& one : proofs) {
+        head.scenes.push_back(one.scene);
+    }
+    write_figures(picture.json, head,
+                  {{"structure", tracing.structure},
+                   {"triangle", tracing.triangle},
+                   {"scenes", numbers_of(proofs)}});
     return std::all_of(proofs.begin(), proofs.end(), [](const SceneProof& one) {
         return one.different_pixels == 0 && uncalled_rays(one) == 0;
     });

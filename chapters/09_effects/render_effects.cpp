@@ -60,13 +60,13 @@ private:
     std::optional<EffectsRenderer> renderer_;
 };
 
-Numbers numbers_of(const PictureOptions& picture, const TraceOptions& tracing,
-                   const RendererOfView& view, double seconds) {
-    Numbers numbers{{"scene", picture.scene},
-                    {"renderer", renderer_name()},
-                    {"structure", tracing.structure},
+Numbers numbers_of(const TraceOptions& tracing, const RendererOfView& view, double seconds) {
+    Numbers numbers{{"structure", tracing.structure},
                     {"triangle", tracing.triangle},
-                    {"seconds", seconds}};
+                    {"seconds", seconds},
+                    {"called_for", empty_object()},
+                    {"passes", empty_list()},
+                    {"rays_by_kind", empty_object()}};
     for (const EffectCall& call : view.plan().called) {
         numbers["called_for"][std::string(row_of(call.effect).name)] = call.reason;
     }
@@ -74,7 +74,7 @@ Numbers numbers_of(const PictureOptions& picture, const TraceOptions& tracing,
         numbers["passes"].push_back(pass.name);
     }
     for (const auto& [kind, count] : kinds_of(view.renderer().tally())) {
-        numbers["rays"][kind] = count;
+        numbers["rays_by_kind"][kind] = count;
     }
     return numbers;
 }
@@ -120,7 +120,10 @@ void render_effects(const PictureOptions& picture, const TraceOptions& tracing,
         std::cout << explain(view.renderer());
     }
     std::printf("rays      %ld in %.2f s\n", all_rays(view.renderer().tally()), seconds);
-    write_numbers(picture.json, numbers_of(picture, tracing, view, seconds));
+    if (!picture.json.empty()) {
+        write_figures(picture.json, head_of("effects.schema.json", tracing, scene),
+                      numbers_of(tracing, view, seconds));
+    }
 }
 
 } // namespace raysteps

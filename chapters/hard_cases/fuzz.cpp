@@ -4,6 +4,7 @@
 #include "basics/file.h"
 #include "hard_cases/hard_cases.h"
 #include "mirror/trace_by_mirror.h"
+#include "scene/ray_file.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
 #include "tally.h"
@@ -67,16 +68,6 @@ std::string to_obj(const Mesh& mesh) {
     for (std::size_t i = 1; i + 2 <= mesh.corners.size(); i += 3) {
         text += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " +
                 std::to_string(i + 2) + "\n";
-    }
-    return text;
-}
-
-std::string to_csv(std::span<const Ray> rays) {
-    std::string text = "origin_x,origin_y,origin_z,direction_x,direction_y,direction_z,t_min,"
-                       "t_max\n";
-    for (const Ray& ray : rays) {
-        text += to_text(ray.origin, ",") + "," + to_text(ray.direction, ",") + "," +
-                to_text(ray.t_min) + "," + to_text(ray.t_max) + "\n";
     }
     return text;
 }
@@ -201,7 +192,7 @@ std::vector<std::filesystem::path> write_fault(const FuzzFault& fault,
     const std::vector<std::filesystem::path> paths{folder / (name + ".obj"),
                                                    folder / (name + ".csv")};
     write_file(paths[0], to_obj(fault.made.mesh));
-    write_file(paths[1], to_csv(fault.made.rays));
+    write_ray_file(paths[1], fault.made.rays);
     return paths;
 }
 

@@ -2,8 +2,8 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "fuzz.h"
+#include "program/figures.h"
 #include "program/options.h"
-#include "program/output.h"
 #include "trials.h"
 
 #include <unistd.h>
@@ -118,7 +118,8 @@ void run_trials(const TrialRequest& request) {
     if (!request.csv.empty()) {
         write_file(request.csv, to_csv(results));
     }
-    write_numbers(request.json, numbers_of(results));
+    write_figures(request.json, {.schema = "hard_cases.schema.json"},
+                  {{"seed", request.seed}, {"cases", numbers_of(results)}});
     const std::size_t broken = count_rows(results, Verdict::fail);
     std::cout << "\n"
               << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "

@@ -3,9 +3,14 @@
 #include "basics/error.h"
 #include "gpu/gl.h"
 
+#include <algorithm>
+#include <array>
+
 namespace raysteps {
 
 namespace {
+
+int living_contexts = 0;
 
 std::unique_ptr<Context> make_automatic_context() {
     try {
@@ -32,12 +37,34 @@ std::unique_ptr<Context> make_context(ContextKind kind) {
     return make_automatic_context();
 }
 
-std::string renderer_name() {
+Context::Context() {
+    ++living_contexts;
+}
+
+Context::~Context() {
+    --living_contexts;
+}
+
+std::optional<OpenGl> current_opengl() {
+    if (living_contexts == 0) {
+        return std::nullopt;
+    }
     const auto text = [](GLenum name) {
         const GLubyte* value = glGetString(name);
         return value ? std::string(reinterpret_cast<const char*>(value)) : std::string("unknown");
     };
-    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+    return OpenGl{text(GL_RENDERER), text(GL_VERSION)};
+}
+
+std::string renderer_name() {
+    const OpenGl opengl = current_opengl().value();
+    return opengl.renderer + ", OpenGL " + opengl.version;
+}
+
+bool runs_on_processor(const std::string& renderer) {
+    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "SWR"}, [&](const char* name) {
+        return renderer.find(name) != std::string::npos;
+    });
 }
 
 void load_gl(FindGlFunction find, const std::string& provider) {

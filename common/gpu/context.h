@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 struct GLFWwindow;
@@ -18,8 +19,8 @@ enum class ContextKind {
 // An OpenGL 4.1 core context that is current from its making to its end. One lives at a time.
 class Context {
 public:
-    Context() = default;
-    virtual ~Context() = default;
+    Context();
+    virtual ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 };
@@ -28,8 +29,20 @@ public:
 // too old.
 std::unique_ptr<Context> make_context(ContextKind kind);
 
-// `llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6`
+// What OpenGL says of itself.
+struct OpenGl {
+    std::string renderer; // `llvmpipe (LLVM 15.0.6, 256 bits)`
+    std::string version;  // `4.5 (Core Profile) Mesa 22.3.6`
+};
+
+// Of the context that lives; nothing where none does.
+std::optional<OpenGl> current_opengl();
+
+// Both in one line. A context must be current.
 std::string renderer_name();
+
+// Whether that renderer runs on the processor, so that its work is processor time of this process.
+bool runs_on_processor(const std::string& renderer);
 
 // The providers, each a file in context/. They throw MachineError.
 std::unique_ptr<Context> make_osmesa_context();

@@ -1,16 +1,14 @@
 #include "measure/measure_structures.h"
 
-#include "basics/error.h"
+#include "gpu/context.h"
 #include "measure/contest.h"
+#include "measure/judge.h"
 #include "measure/ray_kinds.h"
 #include "render/rays.h"
 #include "structure/padding.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace raysteps {
@@ -36,46 +34,45 @@ Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& 
     return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
 }
 
-bool is_same_answer(const Hit& a, const Hit& b, Query query) {
-    if (a.triangle < 0 || b.triangle < 0 || query == Query::any) {
-        return (a.triangle < 0) == (b.triangle < 0);
-    }
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
+// A scene with its built structures: those of one family and the same options share one.
+using BuiltStructures = std::map<std::string, SceneTextures>;
 
-// A scene with a built structure of each family, by the family's name.
-using BuiltFamilies = std::map<std::string, SceneTextures>;
-
-std::map<std::string, std::string> own_values(const StructureFamily& family,
-                                              const std::map<std::string, std::string>& values) {
-    std::map<std::string, std::string> own;
-    for (const BuildOption& option : family.options) {
+// The values for all that this choice's builder knows, and over them its own.
+std::map<std::string, std::string> values_of(const StructureChoice& choice,
+                                             const std::map<std::string, std::string>& values) {
+    std::map<std::string, std::string> own = choice.values;
+    for (const BuildOption& option : family_of(choice.structure).options) {
         const auto value = values.find(option.name);
         if (value != values.end()) {
-            own.insert(*value);
+            own.insert(*value); // unless it is there
         }
     }
     return own;
 }
 
-// Builds each family of these structures once, for all its walks.
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures,
-                             const std::map<std::string, std::string>& values) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
-    BuiltFamilies built;
-    for (const std::string& structure : structures) {
-        const StructureFamily family = family_of(structure);
-        if (built.contains(family.name)) {
-            continue;
-        }
-        const BuildRequest request{.reach = reach, .values = own_values(family, values)};
-        built.emplace(family.name, upload(scene, family.build(scene.corners, request)));
+std::string key_of(const StructureChoice& choice,
+                   const std::map<std::string, std::string>& values) {
+    std::string key = family_of(choice.structure).name;
+    for (const auto& [name, value] :
+         used_build_values(choice.structure, values_of(choice, values))) {
+        key += ":" + name + "=" + value;
     }
-    return built;
+    return key;
 }
 
-const SceneTextures& built_for(const BuiltFamilies& built, const std::string& structure) {
-    return built.at(family_of(structure).name);
+BuiltStructures build_all(const Scene& scene, const std::vector<StructureChoice>& choices,
+                          const std::map<std::string, std::string>& values) {
+    const float reach = reach_of(scene.camera.eye, scene.corners);
+    BuiltStructures built;
+    for (const StructureChoice& choice : choices) {
+        const std::string key = key_of(choice, values);
+        if (!built.contains(key)) {
+            const BuildRequest request{.reach = reach, .values = values_of(choice, values)};
+            built.emplace(key,
+                          upload(scene, family_of(choice.structure).build(scene.corners, request)));
+        }
+    }
+    return built;
 }
 
 // What a picture has for its pixels as a list in which neighbours stay neighbours.
@@ -95,54 +92,45 @@ std::size_t run_count(const RayKind& kind) {
     return (kind.rays.size() + rays_per_run - 1) / rays_per_run;
 }
 
-// Of each `step` runs of rays, the first: rays from all over the picture, for a contender that
-// cannot trace them all in the time there is.
-RayKind every_nth_run(const RayKind& kind, std::size_t step) {
-    RayKind sample{kind.name, kind.query, {}, kind.coherence};
-    for (std::size_t begin = 0; begin < kind.rays.size(); begin += step * rays_per_run) {
-        const std::size_t end = std::min(begin + rays_per_run, kind.rays.size());
-        sample.rays.insert(sample.rays.end(),
-                           kind.rays.begin() + static_cast<std::ptrdiff_t>(begin),
-                           kind.rays.begin() + static_cast<std::ptrdiff_t>(end));
-    }
-    return sample;
-}
-
-// Rays of one kind, or a part of them, with the answers that all have to give.
+// Rays of one kind, or a part of them.
 struct RaySet {
     RayKind kind;
+    std::vector<std::size_t> numbers; // of its rays among all of the kind
     RayTextures textures;
-    std::vector<Hit> expected;
 };
+
+// Of each `step` runs of rays, the first: rays from all over the picture, for a contender that
+// cannot trace them all in the time there is.
+RaySet every_nth_run(const RayKind& kind, std::size_t step) {
+    RayKind sample{kind.name, kind.query, {}, kind.coherence};
+    std::vector<std::size_t> numbers;
+    for (std::size_t begin = 0; begin < kind.rays.size(); begin += step * rays_per_run) {
+        for (std::size_t i = begin; i < std::min(begin + rays_per_run, kind.rays.size()); ++i) {
+            sample.rays.push_back(kind.rays[i]);
+            numbers.push_back(i);
+        }
+    }
+    RayTextures textures = upload_rays(sample.rays);
+    textures.coherence = kind.coherence;
+    return {std::move(sample), std::move(numbers), std::move(textures)};
+}
 
 // The rays of one kind, and their samples, each made when it is asked for first.
 class RaySets {
 public:
-    RaySets(RayKind kind, TraceRays& judge, const SceneTextures& scene)
-        : kind_(std::move(kind)), judge_(judge), scene_(scene) {}
+    explicit RaySets(RayKind kind) : kind_(std::move(kind)) {}
 
     const RayKind& whole() const { return kind_; }
 
     // Of each `step` runs of rays, one.
     const RaySet& sample(std::size_t step) {
         const auto known = sets_.find(step);
-        if (known != sets_.end()) {
-            return known->second;
-        }
-        RayKind kind = every_nth_run(kind_, step);
-        RayTextures textures = upload_rays(kind.rays);
-        textures.coherence = kind.coherence;
-        std::vector<Hit> expected =
-            read_hits(trace(judge_, scene_, textures, kind.query), kind.rays.size());
-        return sets_
-            .emplace(step, RaySet{std::move(kind), std::move(textures), std::move(expected)})
-            .first->second;
+        return known != sets_.end() ? known->second
+                                    : sets_.emplace(step, every_nth_run(kind_, step)).first->second;
     }
 
 private:
     RayKind kind_;
-    TraceRays& judge_;
-    const SceneTextures& scene_;
     std::map<std::size_t, RaySet> sets_;
 };
 
@@ -150,44 +138,46 @@ private:
 struct Tracer {
     std::string name;
     std::vector<Fact> facts;
-    std::function<void(const RaySet&)> run;                    // to its end
-    std::function<std::size_t(const RaySet&)> count_different; // answers
+    std::function<void(const RaySet&)> run;                 // to its end
+    std::function<std::vector<Hit>(const RaySet&)> answers; // one for each ray
 };
 
 // A walk through its structure. All that is given must outlive it.
-Tracer make_walker(const std::string& structure, TraceRays& walk, const SceneTextures& scene) {
-    return {.name = structure,
+Tracer make_walker(const std::string& name, TraceRays& walk, const SceneTextures& scene) {
+    return {.name = name,
             .facts = scene.structure.facts,
             .run =
                 [&](const RaySet& rays) {
                     trace(walk, scene, rays.textures, rays.kind.query); // ends with a query
                 },
-            .count_different =
+            .answers =
                 [&](const RaySet& rays) {
-                    const std::vector<Hit> hits = read_hits(
-                        trace(walk, scene, rays.textures, rays.kind.query), rays.kind.rays.size());
-                    std::size_t different = 0;
-                    for (std::size_t i = 0; i < hits.size(); ++i) {
-                        different +=
-                            is_same_answer(hits[i], rays.expected[i], rays.kind.query) ? 0 : 1;
-                    }
-                    return different;
+                    return read_hits(trace(walk, scene, rays.textures, rays.kind.query),
+                                     rays.kind.rays.size());
                 }};
 }
 
-// Embree rounds in its own way: what is compared is the triangle, or whether there is any hit.
-std::size_t count_other_triangles(const EmbreeScene& embree, const RaySet& rays, EmbreeCall call) {
-    std::size_t different = 0;
-    if (rays.kind.query == Query::any) {
-        const std::vector<std::uint8_t> answers = embree.any_hits(rays.kind.rays, call);
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            different += (answers[i] != 0) == (rays.expected[i].triangle >= 0) ? 0 : 1;
-        }
-        return different;
+// Of any hit, all that is known is whether there is one.
+std::vector<Hit> embree_answers(const EmbreeScene& embree, const RayKind& kind, EmbreeCall call) {
+    if (kind.query == Query::closest) {
+        return embree.nearest_hits(kind.rays, call);
     }
-    const std::vector<Hit> hits = embree.nearest_hits(rays.kind.rays, call);
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        different += hits[i].triangle == rays.expected[i].triangle ? 0 : 1;
+    std::vector<Hit> hits;
+    for (const std::uint8_t answer : embree.any_hits(kind.rays, call)) {
+        hits.push_back({0.0f, 0.0f, 0.0f, answer != 0 ? 0 : no_triangle});
+    }
+    return hits;
+}
+
+// Embree rounds in its own way: what is compared is the triangle, or whether there is any hit.
+std::size_t count_other_triangles(std::span<const Hit> embrees, const RaySet& rays,
+                                  std::span<const Hit> ours) {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < embrees.size(); ++i) {
+        const int own = ours[rays.numbers[i]].triangle;
+        const bool same = rays.kind.query == Query::any ? (embrees[i].triangle >= 0) == (own >= 0)
+                                                        : embrees[i].triangle == own;
+        different += same ? 0 : 1;
     }
     return different;
 }
@@ -214,9 +204,9 @@ std::vector<Tracer> make_embree(const Scene& scene, EmbreePart part) {
             {.name = name,
              .facts = {{"build_seconds", embree->build_seconds()}},
              .run = [embree, how = call](const RaySet& rays) { run_embree(*embree, rays, how); },
-             .count_different =
+             .answers =
                  [embree, how = call](const RaySet& rays) {
-                     return count_other_triangles(*embree, rays, how);
+                     return embree_answers(*embree, rays.kind, how);
                  }});
     }
     return tracers;
@@ -256,17 +246,40 @@ Entry enter(const Tracer& tracer, RaySets& sets, double most_seconds) {
             RayCosts{.contender = tracer.name,
                      .kind = rays.kind.name,
                      .rays = rays.kind.rays.size(),
-                     .all_rays = sets.whole().rays.size(),
-                     .different = tracer.count_different(rays)}};
+                     .all_rays = sets.whole().rays.size()}};
 }
 
-void check_answers(const RayCosts& costs, const std::string& judge, const Scene& scene) {
-    if (costs.different > 0 && !is_embree(costs.contender)) {
-        throw Error(ExitCode::check_failed,
-                    fmt::format("{} and {} differ in {} of {} {} rays of {}. With --triangle "
-                                "watertight, that is a bug in Raysteps; please report it.",
-                                costs.contender, judge, costs.different, costs.rays, costs.kind,
-                                scene.name));
+// Our walks judge each other, and the loop judges them; Embree's other answers are counted. Throws
+// DisputeError. The first walk answers for all rays where nobody else did.
+void check_answers(std::vector<Entry>& entries, RaySets& sets, const Scene& scene,
+                   const Tracer& first_walk, const LoopOverTriangles& loop) {
+    std::vector<Answers> ours;
+    for (const Entry& entry : entries) {
+        if (!is_embree(entry.tracer.name)) {
+            ours.push_back(
+                {entry.tracer.name, entry.rays.numbers, entry.tracer.answers(entry.rays)});
+        }
+    }
+    const auto has_all = [&](const Answers& own) {
+        return own.rays.size() == sets.whole().rays.size();
+    };
+    if (std::ranges::none_of(ours, has_all)) {
+        const RaySet& all = sets.sample(1);
+        ours.push_back({first_walk.name, all.numbers, first_walk.answers(all)});
+    }
+    Judgement judgement = judge(scene, sets.whole(), ours, loop);
+    if (judgement.dispute) {
+        throw DisputeError(std::move(*judgement.dispute));
+    }
+    const std::vector<Hit>& agreed = std::ranges::find_if(ours, has_all)->hits;
+    std::size_t walk = 0;
+    for (Entry& entry : entries) {
+        if (is_embree(entry.tracer.name)) {
+            entry.costs.different =
+                count_other_triangles(entry.tracer.answers(entry.rays), entry.rays, agreed);
+        } else {
+            entry.costs.judged = judgement.judged[walk++];
+        }
     }
 }
 
@@ -289,74 +302,97 @@ void measure_rates(std::vector<Entry>& entries, int rounds, const Progress& prog
     const std::vector<ContestTimes> times = run_contest(contenders, rounds, progress);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         RayCosts& costs = entries[i].costs;
-        costs.rate = over_rounds(times[i], [&](const Seconds& seconds) {
-            return static_cast<double>(costs.rays) / seconds.clock / 1e6;
-        });
+        const auto million_rays = static_cast<double>(costs.rays) / 1e6;
+        costs.rate = over_rounds(
+            times[i], [&](const Seconds& seconds) { return million_rays / seconds.clock; });
+        costs.cpu_rate = over_rounds(
+            times[i], [&](const Seconds& seconds) { return million_rays / seconds.cpu; });
         costs.cores = over_rounds(times[i], [](const Seconds& seconds) {
                           return seconds.cpu / seconds.clock;
                       }).median;
     }
+    const auto embree = std::ranges::find_if(
+        entries, [](const Entry& entry) { return entry.tracer.name == embree_single; });
+    if (embree == entries.end()) {
+        return;
+    }
+    // Work on a GPU is no time of a processor.
+    double Seconds::*const spent =
+        runs_on_processor(renderer_name()) ? &Seconds::cpu : &Seconds::clock;
+    const std::vector<Seconds>& beside =
+        times[static_cast<std::size_t>(embree - entries.begin())].rounds;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (is_embree(entries[i].tracer.name)) {
+            continue;
+        }
+        const double rays =
+            static_cast<double>(entries[i].costs.rays) / static_cast<double>(embree->costs.rays);
+        std::vector<double> ratios;
+        for (std::size_t round = 0; round < beside.size(); ++round) {
+            ratios.push_back(rays * beside[round].*spent / (times[i].rounds[round].*spent));
+        }
+        entries[i].costs.to_embree = measured_range(std::move(ratios));
+    }
 }
 
-MeasureRequest with_judge(MeasureRequest request) {
-    if (request.judge.empty()) {
-        request.judge = request.structures.front();
+MeasureRequest with_first_walk(MeasureRequest request) {
+    if (request.first_walk.empty()) {
+        request.first_walk = request.structures.front().structure;
     }
     return request;
 }
 
 } // namespace
 
-double fact_of(const BuildCosts& build, const std::string& name) {
-    const auto fact = std::find_if(build.facts.begin(), build.facts.end(),
-                                   [&](const Fact& one) { return one.name == name; });
-    return fact == build.facts.end() ? 0.0 : fact->value;
+std::vector<StructureChoice> plain_structures(const std::vector<std::string>& names) {
+    std::vector<StructureChoice> choices;
+    for (const std::string& name : names) {
+        choices.push_back({.text = name, .structure = name});
+    }
+    return choices;
 }
 
-const RayCosts* fastest_walk(const SceneCosts& costs, const std::string& kind) {
-    const RayCosts* fastest = nullptr;
-    for (const RayCosts& rays : costs.rays) {
-        if (rays.kind == kind && !is_embree(rays.contender) &&
-            (fastest == nullptr || rays.rate.median > fastest->rate.median)) {
-            fastest = &rays;
-        }
+std::map<std::string, std::map<std::string, std::string>>
+used_builders(const std::vector<StructureChoice>& structures,
+              const std::map<std::string, std::string>& build_values) {
+    std::map<std::string, std::map<std::string, std::string>> used;
+    for (const StructureChoice& choice : structures) {
+        used[choice.text] = used_build_values(choice.structure, values_of(choice, build_values));
     }
-    return fastest;
-}
-
-std::optional<EmbreeRatio> ratio_to_embree(const SceneCosts& costs, const std::string& kind) {
-    const RayCosts* const ours = fastest_walk(costs, kind);
-    const auto embree = std::ranges::find_if(costs.rays, [&](const RayCosts& rays) {
-        return rays.kind == kind && rays.contender == embree_single;
-    });
-    if (ours == nullptr || embree == costs.rays.end()) {
-        return std::nullopt;
-    }
-    const double ratio = ours->rate.median / embree->rate.median;
-    return EmbreeRatio{ratio, ratio * embree->cores / ours->cores};
+    return used;
 }
 
 StructureContest::StructureContest(MeasureRequest request, const Limits& limits)
-    : request_(with_judge(std::move(request))), limits_(limits),
-      judge_(make_tracer(request_.triangle, request_.judge, limits)) {
-    for (const std::string& structure : request_.structures) {
-        walks_.emplace(structure, make_tracer(request_.triangle, structure, limits));
+    : request_(with_first_walk(std::move(request))), limits_(limits),
+      first_walk_(make_tracer(request_.triangle, request_.first_walk, limits)),
+      loop_(walk_parts(request_.triangle, "every_triangle"), limits) {
+    for (const StructureChoice& choice : request_.structures) {
+        walks_.try_emplace(choice.structure,
+                           make_tracer(request_.triangle, choice.structure, limits));
     }
 }
 
 SceneCosts StructureContest::measure(const Scene& scene, const Progress& progress) {
-    std::vector<std::string> structures = request_.structures;
-    structures.push_back(request_.judge);
-    const BuiltFamilies built = build_families(scene, structures, request_.build_values);
-    const SceneTextures& judged = built_for(built, request_.judge);
+    const StructureChoice first_choice{request_.first_walk, request_.first_walk};
+    const StructureChoice loop_choice{"every_triangle", "every_triangle"};
+    std::vector<StructureChoice> choices = request_.structures;
+    choices.insert(choices.end(), {first_choice, loop_choice});
+    const BuiltStructures built = build_all(scene, choices, request_.build_values);
+    const auto built_for = [&](const StructureChoice& choice) -> const SceneTextures& {
+        return built.at(key_of(choice, request_.build_values));
+    };
     std::vector<Tracer> tracers;
-    for (const std::string& structure : request_.structures) {
-        tracers.push_back(
-            make_walker(structure, walks_.at(structure), built_for(built, structure)));
+    for (const StructureChoice& choice : request_.structures) {
+        tracers.push_back(make_walker(choice.text, walks_.at(choice.structure), built_for(choice)));
     }
     for (Tracer& tracer : make_embree(scene, request_.embree)) {
         tracers.push_back(std::move(tracer));
     }
+    const Tracer first_walk = make_walker(first_choice.text, first_walk_, built_for(first_choice));
+    const LoopOverTriangles loop = [&](const RayKind& kind) {
+        return read_hits(trace(loop_, built_for(loop_choice), upload_rays(kind.rays), kind.query),
+                         kind.rays.size());
+    };
     SceneCosts costs{.scene = scene.name, .triangles = triangle_count(scene)};
     for (const Tracer& tracer : tracers) {
         costs.builds.push_back({tracer.name, tracer.facts});
@@ -365,12 +401,12 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
     const std::vector<Hit> hits =
-        in_blocks(read_hits(judge_.closest_hits(camera, judged)), request_);
+        in_blocks(read_hits(first_walk_.closest_hits(camera, built_for(first_choice))), request_);
     std::vector<RaySets> kinds;
     for (RayKind& kind : ray_kinds(scene, in_blocks(read_rays(camera), request_), hits, 1)) {
         if (std::find(request_.kinds.begin(), request_.kinds.end(), kind.name) !=
             request_.kinds.end()) {
-            kinds.emplace_back(std::move(kind), judge_, judged);
+            kinds.emplace_back(std::move(kind));
         }
     }
     const double steps = 2.0 * static_cast<double>(kinds.size()) + 1.0;
@@ -380,17 +416,17 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
         std::vector<Entry>& own = entries.emplace_back();
         for (const Tracer& tracer : tracers) {
             own.push_back(enter(tracer, sets, request_.most_seconds));
-            check_answers(own.back().costs, request_.judge, scene);
         }
+        check_answers(own, sets, scene, first_walk, loop);
         progress(++done / steps);
     }
     // One program that counts at a time, and none while anything is measured: a driver keeps only
     // so many programs compiled.
     for (std::size_t i = 0; i < request_.structures.size(); ++i) {
-        const std::string& structure = request_.structures[i];
-        TraceRays count = make_counting_tracer(request_.triangle, structure, limits_);
+        const StructureChoice& choice = request_.structures[i];
+        TraceRays count = make_counting_tracer(request_.triangle, choice.structure, limits_);
         for (std::vector<Entry>& own : entries) {
-            add_counts(own[i], count, built_for(built, structure));
+            add_counts(own[i], count, built_for(choice));
         }
     }
     progress(++done / steps);
@@ -403,22 +439,6 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
         }
     }
     return costs;
-}
-
-std::string to_table(const SceneCosts& costs) {
-    std::string table =
-        "structure        rays        visits/ray  tests/ray  million rays/s (range)\n";
-    for (const BuildCosts& build : costs.builds) {
-        for (const RayCosts& rays : costs.rays) {
-            if (rays.contender == build.contender) {
-                table +=
-                    fmt::format("{:16} {:10} {:11.2f} {:10.2f}  {:.3g} ({:.3g} to {:.3g})\n",
-                                rays.contender, rays.kind, rays.visits_per_ray, rays.tests_per_ray,
-                                rays.rate.median, rays.rate.lowest, rays.rate.highest);
-            }
-        }
-    }
-    return table;
 }
 
 } // namespace raysteps

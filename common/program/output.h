@@ -14,8 +14,9 @@
 
 namespace raysteps {
 
-// Measured numbers by their names, in the order in which they are to be read: what --json writes.
-// Of values it is a list, of pairs of a name and a value an object, else a value by itself.
+// Measured numbers by their names, in the order in which they are to be read: what --json writes
+// (program/figures.h). Of values it is a list, of pairs of a name and a value an object, else a
+// value by itself.
 class Numbers {
 public:
     using List = std::vector<Numbers>;
@@ -40,6 +41,14 @@ public:
 
     // Of lists only.
     void push_back(Numbers value);
+
+    // What is in it. Throws InputError that names what is missing, or what is something else.
+    const Numbers* find(const std::string& name) const; // null where it is not there
+    const Numbers& at(const std::string& name) const;
+    double number() const;
+    const std::string& text() const;
+    const List& values() const;
+    const Object& members() const;
 
     // As JSON, indented by 2, with the fewest digits that give the same numbers again.
     std::string to_json() const;
@@ -73,12 +82,12 @@ inline Numbers empty_object() {
     return Numbers::Object{};
 }
 
+// The text of a JSON file; the path is named where it is wrong. Throws InputError.
+Numbers parse_json(const std::string& text, const std::filesystem::path& path);
+
 // Each writes a file, with the folders that lack, and prints its path.
 void write_text(const std::filesystem::path& path, const std::string& text);
 void write_picture(const std::filesystem::path& path, const Image& image); // a PNG
-
-// To the file of --json; nothing where none is named.
-void write_numbers(const std::filesystem::path& path, const Numbers& numbers);
 
 // "wrote     PATH", for a file that something else wrote.
 void print_written(const std::filesystem::path& path);

@@ -4,7 +4,7 @@
 #include "basics/file.h"
 #include "basics/text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -51,9 +51,32 @@ void check(const Ray& ray, std::size_t number, const std::filesystem::path& path
     }
 }
 
+// Nine digits give back the same float.
+void append_csv(std::string& text, const Ray& ray) {
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", ray.origin.x,
+                        ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                        ray.direction.z, ray.t_min, ray.t_max);
+}
+
 void append_csv(std::string& text, const Hit& hit) {
-    // Nine digits give back the same float.
     text += fmt::format("{:.9g},{:.9g},{:.9g},{}\n", hit.t, hit.u, hit.v, hit.triangle);
+}
+
+// As the ending of the path asks for.
+template <class Record>
+void write_list(const std::filesystem::path& path, const std::string& header,
+                std::span<const Record> records) {
+    std::string bytes;
+    if (is_csv(path)) {
+        bytes = header;
+        for (const Record& record : records) {
+            append_csv(bytes, record);
+        }
+    } else if (!records.empty()) {
+        bytes.resize(records.size_bytes());
+        std::memcpy(bytes.data(), records.data(), records.size_bytes());
+    }
+    write_file(path, bytes);
 }
 
 // The indices of the columns in the eight numbers of a ray.
@@ -141,18 +164,12 @@ std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
     return rays;
 }
 
+void write_ray_file(const std::filesystem::path& path, std::span<const Ray> rays) {
+    write_list(path, fmt::format("{}\n", fmt::join(columns, ",")), rays);
+}
+
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits) {
-    std::string bytes;
-    if (is_csv(path)) {
-        bytes = "t,u,v,triangle\n";
-        for (const Hit& hit : hits) {
-            append_csv(bytes, hit);
-        }
-    } else if (!hits.empty()) {
-        bytes.resize(hits.size_bytes());
-        std::memcpy(bytes.data(), hits.data(), hits.size_bytes());
-    }
-    write_file(path, bytes);
+    write_list(path, "t,u,v,triangle\n", hits);
 }
 
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path) {

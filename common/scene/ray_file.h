@@ -18,6 +18,9 @@ namespace raysteps {
 // InputError that names the file and the ray or line.
 std::vector<Ray> read_ray_file(const std::filesystem::path& path);
 
+// The same files, to be read again: a .csv file gives back the same bits. Throws InputError.
+void write_ray_file(const std::filesystem::path& path, std::span<const Ray> rays);
+
 // A .csv file with the columns t, u, v, triangle, or any other file as 16 bytes per hit: t, u, v as
 // little-endian float32 and the triangle as int32, -1 for none. Throws InputError.
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits);

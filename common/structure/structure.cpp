@@ -1,6 +1,7 @@
 #include "structure/structure.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 
 #include <algorithm>
 #include <set>
@@ -78,6 +79,35 @@ std::map<std::string, BuildOption> all_build_options() {
         }
     }
     return merged;
+}
+
+std::map<std::string, std::string>
+used_build_values(const std::string& structure, const std::map<std::string, std::string>& values) {
+    std::map<std::string, std::string> used;
+    for (const BuildOption& option : family_of(structure).options) {
+        const auto given = values.find(option.name);
+        used[option.name] = given != values.end() ? given->second : option.initial;
+    }
+    return used;
+}
+
+StructureChoice parse_structure(const std::string& text) {
+    const std::vector<std::string> words = split_words(text, ':');
+    StructureChoice choice{.text = text, .structure = words.front()};
+    for (auto word = words.begin() + 1; word != words.end(); ++word) {
+        const std::size_t sign = word->find('=');
+        if (sign == 0 || sign == std::string::npos) {
+            throw InputError("--structure " + text + ": `" + *word +
+                             "` is no option and its value. Write NAME:option=value, and more "
+                             "options behind further colons.");
+        }
+        if (!choice.values.emplace(word->substr(0, sign), word->substr(sign + 1)).second) {
+            throw InputError("--structure " + text + ": the option " + word->substr(0, sign) +
+                             " is given twice. Give it once.");
+        }
+    }
+    check_build_values(choice.values, {{choice.structure}});
+    return choice;
 }
 
 void check_build_values(const std::map<std::string, std::string>& values,

@@ -87,6 +87,21 @@ StructureFamily family_of(const std::string& structure);
 // has each builder's own values.
 std::map<std::string, BuildOption> all_build_options();
 
+// Every option of the structure's builder with its value: the given one, else the initial.
+std::map<std::string, std::string>
+used_build_values(const std::string& structure, const std::map<std::string, std::string>& values);
+
+// A walk, and options of its builder that hold for it alone.
+struct StructureChoice {
+    std::string text;      // as it was given: its name in tables
+    std::string structure; // bvh_ordered
+    std::map<std::string, std::string> values{};
+};
+
+// `bvh_ordered`, or with options `bvh_ordered:split=median:bins=8`. Throws InputError where nobody
+// builds for it, or its builder has no such option.
+StructureChoice parse_structure(const std::string& text);
+
 // Throws InputError where a value was given that no builder of these structures has an option for:
 // it would be passed over in silence.
 void check_build_values(const std::map<std::string, std::string>& values,

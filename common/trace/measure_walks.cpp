@@ -1,61 +1,119 @@
 #include "trace/measure_walks.h"
 
-#include "measure/measure_structures.h"
-#include "program/output.h"
+#include "measure/judge.h"
+#include "trace/trace_picture.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace raysteps {
 
 namespace {
 
-Numbers numbers_of(const BuildCosts& build, const SceneCosts& costs) {
-    Numbers facts = empty_object();
-    for (const Fact& fact : build.facts) {
-        facts[fact.name] = fact.value;
+Numbers row_numbers(const RayCosts& row) {
+    Numbers numbers{{"contender", row.contender},
+                    {"rays", row.rays},
+                    {"all_rays", row.all_rays},
+                    {"million_rays_per_second", row.rate.median},
+                    {"lowest", row.rate.lowest},
+                    {"highest", row.rate.highest},
+                    {"million_rays_per_cpu_second", row.cpu_rate.median},
+                    {"lowest_by_cpu_time", row.cpu_rate.lowest},
+                    {"highest_by_cpu_time", row.cpu_rate.highest},
+                    {"busy_cores", row.cores}};
+    if (is_embree(row.contender)) {
+        numbers["other_answers"] = row.different;
+        return numbers;
     }
-    Numbers kinds = empty_list();
-    for (const RayCosts& rays : costs.rays) {
-        if (rays.contender == build.contender) {
-            kinds.push_back({{"kind", rays.kind},
-                             {"rays", rays.rays},
-                             {"visits_per_ray", rays.visits_per_ray},
-                             {"tests_per_ray", rays.tests_per_ray},
-                             {"million_rays_per_second", rays.rate.median},
-                             {"lowest", rays.rate.lowest},
-                             {"highest", rays.rate.highest}});
+    numbers["visits_per_ray"] = row.visits_per_ray;
+    numbers["tests_per_ray"] = row.tests_per_ray;
+    numbers["judged_rays"] = row.judged;
+    numbers["bound_of_wrong"] = bound_of_wrong(row.judged);
+    if (row.to_embree) {
+        numbers["to_embree"] = {{"median", row.to_embree->median},
+                                {"lowest", row.to_embree->lowest},
+                                {"highest", row.to_embree->highest}};
+    }
+    return numbers;
+}
+
+Numbers kind_numbers(const SceneCosts& costs, const std::string& kind) {
+    Numbers numbers{{"kind", kind}, {"walks", empty_list()}};
+    for (const RayCosts& row : costs.rays) {
+        if (row.kind == kind) {
+            numbers["walks"].push_back(row_numbers(row));
         }
     }
-    return {{"structure", build.contender}, {"facts", facts}, {"rays", kinds}};
+    if (const RayCosts* const best = fastest_walk(costs, kind)) {
+        numbers["best_walk"] = best->contender;
+    }
+    if (const auto ratio = ratio_to_embree(costs, kind)) {
+        numbers["ratio_to_embree"] = ratio->by_clock;
+        numbers["ratio_by_cpu_time"] = ratio->by_cpu;
+    }
+    return numbers;
 }
 
 } // namespace
 
+SceneCosts measure_or_dispute(StructureContest& contest, const Scene& scene,
+                              const Progress& progress, const std::filesystem::path& folder) {
+    try {
+        return contest.measure(scene, progress);
+    } catch (const DisputeError& error) {
+        progress(1.0);
+        std::cout << to_table(error.dispute());
+        for (const std::filesystem::path& path : write_dispute(folder, error.dispute())) {
+            print_written(path);
+        }
+        throw;
+    }
+}
+
+Numbers numbers_of(const SceneCosts& costs) {
+    Numbers builds = empty_list();
+    for (const BuildCosts& build : costs.builds) {
+        builds.push_back({{"contender", build.contender}, {"facts", numbers_of(build.facts)}});
+    }
+    Numbers kinds = empty_list();
+    std::vector<std::string> known;
+    for (const RayCosts& row : costs.rays) {
+        if (std::ranges::find(known, row.kind) == known.end()) {
+            known.push_back(row.kind);
+            kinds.push_back(kind_numbers(costs, row.kind));
+        }
+    }
+    return {{"scene", costs.scene}, {"structures", builds}, {"kinds", kinds}};
+}
+
 void measure_walks(const std::vector<std::string>& structures, const PictureOptions& picture,
                    const TraceOptions& tracing, const Scene& scene) {
     check_build_values(tracing.build_values, structures);
-    StructureContest contest({.structures = structures,
-                              .build_values = tracing.build_values,
-                              .triangle = tracing.triangle,
-                              .width = picture.size.width,
-                              .height = picture.size.height},
-                             measure_limits());
-    const SceneCosts costs = contest.measure(scene, show_progress("measuring"));
-    Numbers numbers = empty_list();
+    const MeasureRequest request{.structures = plain_structures(structures),
+                                 .build_values = tracing.build_values,
+                                 .triangle = tracing.triangle,
+                                 .width = picture.size.width,
+                                 .height = picture.size.height};
+    StructureContest contest(request, measure_limits());
+    const SceneCosts costs =
+        measure_or_dispute(contest, scene, show_progress("measuring"), picture.out);
     for (const BuildCosts& build : costs.builds) {
         std::cout << "structure " << build.contender << ":";
         for (const Fact& fact : build.facts) {
             std::cout << " " << fact.name << " " << fact.value;
         }
         std::cout << "\n";
-        numbers.push_back(numbers_of(build, costs));
     }
     std::cout << to_table(costs) << std::flush;
-    write_numbers(picture.json, {{"scene", picture.scene},
-                                 {"renderer", renderer_name()},
-                                 {"triangle", tracing.triangle},
-                                 {"triangles", triangle_count(scene)},
-                                 {"structures", numbers}});
+    write_figures(picture.json,
+                  {.schema = "walks.schema.json",
+                   .scenes = {record_of(scene)},
+                   .builders = used_builders(request.structures, request.build_values)},
+                  {{"width", picture.size.width},
+                   {"height", picture.size.height},
+                   {"rounds", request.rounds},
+                   {"triangle", tracing.triangle},
+                   {"scenes", Numbers::List{numbers_of(costs)}}});
 }
 
 } // namespace raysteps

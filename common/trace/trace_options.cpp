@@ -43,9 +43,13 @@ std::vector<std::string> part_names(const std::string& slot) {
 }
 
 void add_trace_options(Options& options, TraceOptions& tracing) {
-    options.choice("--triangle", tracing.triangle, "the triangle test", part_names("triangle"));
     options.choice("--structure", tracing.structure, "what the rays walk through",
                    structure_names());
+    add_walk_options(options, tracing);
+}
+
+void add_walk_options(Options& options, TraceOptions& tracing) {
+    options.choice("--triangle", tracing.triangle, "the triangle test", part_names("triangle"));
     options.input_file("--rays", tracing.rays,
                        "trace the rays of this file (.f32 or .csv) instead of a picture's");
     options.output_file("--hits", tracing.hits, "the file for the hits of --rays (.f32 or .csv)");

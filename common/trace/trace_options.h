@@ -27,6 +27,9 @@ std::vector<std::string> part_names(const std::string& slot);
 // --triangle --structure --rays --hits, and the options of all builders.
 void add_trace_options(Options& options, TraceOptions& tracing);
 
+// The same without --structure, for a program that has one of its own.
+void add_walk_options(Options& options, TraceOptions& tracing);
+
 // --view: a part of shaders/view, or the heat map of what a walk through the structure did: its
 // visits (cells or nodes) or its tests (triangles). Of the loop over every triangle, which visits
 // nothing, the heat map is that of its tests.

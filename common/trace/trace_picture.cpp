@@ -61,31 +61,43 @@ Image show_work(const Texture& observations, const std::string& view,
     return heat_map(values, width, height, range_of_most(values), structure + title);
 }
 
-void report_trace(const PictureOptions& picture, const TraceOptions& tracing,
+FiguresHead head_of(const std::string& schema, const TraceOptions& tracing, const Scene& scene) {
+    return {.schema = schema,
+            .scenes = {record_of(scene)},
+            .builders = {
+                {tracing.structure, used_build_values(tracing.structure, tracing.build_values)}}};
+}
+
+Numbers numbers_of(const std::vector<Fact>& facts) {
+    Numbers numbers = empty_object();
+    for (const Fact& fact : facts) {
+        numbers[fact.name] = fact.value;
+    }
+    return numbers;
+}
+
+void report_trace(const PictureOptions& picture, const TraceOptions& tracing, const Scene& scene,
                   const SceneTextures& textures, const TraceTime& time) {
     const auto [rays, seconds] = time;
-    Numbers numbers{{"scene", picture.scene},
-                    {"structure", tracing.structure},
+    Numbers numbers{{"structure", tracing.structure},
                     {"triangle", tracing.triangle},
-                    {"renderer", renderer_name()},
-                    {"triangles", textures.triangle_count},
-                    {"rays", rays},
+                    {"rays", static_cast<std::uint64_t>(rays)},
                     {"seconds", seconds},
-                    {"million_rays_per_second", rays / seconds / 1e6}};
+                    {"million_rays_per_second", rays / seconds / 1e6},
+                    {"facts", numbers_of(textures.structure.facts)}};
     std::printf("rays      %.0f in %.2f s: %.3g million per second\n", rays, seconds,
                 rays / seconds / 1e6);
     if (tracing.structure == "every_triangle") {
         const double tests = rays * textures.triangle_count;
         std::printf("tests     %.0f in %.2f s: %.3g million per second\n", tests, seconds,
                     tests / seconds / 1e6);
-        numbers["tests"] = tests;
+        numbers["tests"] = static_cast<std::uint64_t>(tests);
         numbers["million_tests_per_second"] = tests / seconds / 1e6;
     }
-    for (const Fact& fact : textures.structure.facts) {
-        numbers[fact.name] = fact.value;
-    }
     std::fflush(stdout);
-    write_numbers(picture.json, numbers);
+    if (!picture.json.empty()) {
+        write_figures(picture.json, head_of("trace.schema.json", tracing, scene), numbers);
+    }
 }
 
 void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
@@ -101,7 +113,7 @@ void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
     const auto [hits, seconds] = timed([&] { return trace.closest_hits(uploaded, textures); });
     write_hit_file(tracing.hits, read_hits(hits, rays.size()));
     std::printf("wrote     %s, %zu hits\n", tracing.hits.string().c_str(), rays.size());
-    report_trace(picture, tracing, textures, {static_cast<double>(rays.size()), seconds});
+    report_trace(picture, tracing, scene, textures, {static_cast<double>(rays.size()), seconds});
 }
 
 } // namespace raysteps

@@ -2,7 +2,7 @@
 
 #include "basics/timed.h"
 #include "gpu/shaders.h"
-#include "program/output.h"
+#include "program/figures.h"
 #include "program/show.h"
 #include "render/rays.h"
 #include "render/trace_rays.h"
@@ -32,8 +32,14 @@ struct TraceTime {
 
 // Prints how many rays (and of the loop over every triangle, tests) a second that is, and writes
 // the numbers of --json.
-void report_trace(const PictureOptions& picture, const TraceOptions& tracing,
+void report_trace(const PictureOptions& picture, const TraceOptions& tracing, const Scene& scene,
                   const SceneTextures& textures, const TraceTime& time);
+
+// The head of what --json writes of one scene and one structure.
+FiguresHead head_of(const std::string& schema, const TraceOptions& tracing, const Scene& scene);
+
+// What a builder found out, by name.
+Numbers numbers_of(const std::vector<Fact>& facts);
 
 // Traces the file of --rays, writes that of --hits, and reports.
 void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing, const Scene& scene);

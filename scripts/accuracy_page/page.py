@@ -68,7 +68,11 @@ def _rows(rows):
 
 
 def _circumstances(report):
-    rows = [(escape(name), escape(value)) for name, value in report["circumstances"].items()]
+    head = report["head"]
+    commit = head["commit"] + (", and the tree was modified" if head["modified"] else "")
+    rows = [(escape(name), escape(value)) for name, value in (
+        ("commit", commit), ("date", head["date"]), ("processor", f"{head['cpu']}, {head['cores']} cores"),
+        ("renderer", f"{head['renderer']}, OpenGL {head['opengl']}"), *report["circumstances"].items())]
     return f"<table class='words'>\n{_rows(rows)}</table>\n"
 
 
@@ -195,6 +199,6 @@ def to_html(report, folder):
             "<title>What accuracy costs in time</title>\n"
             f"<style>{STYLE}</style></head><body>\n<h1>What accuracy costs in time</h1>\n"
             f"<nav>{links}</nav>\n<h2>What to take</h2>\n{_advice(report)}"
-            f"<h2>What {escape(report['scene'])} needs</h2>\n<ul>\n{needs}</ul>\n"
+            f"<h2>What {escape(report['head']['scenes'][0]['scene'])} needs</h2>\n<ul>\n{needs}</ul>\n"
             f"<h2>How it was measured</h2>\n{_circumstances(report)}<p class='note'>{LEGEND}</p>\n" +
             "".join(_section(one, folder) for one in trade_offs) + "</body></html>\n")

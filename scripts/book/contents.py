@@ -15,7 +15,7 @@ def parts(root):
         ("Begin", [Path("docs/book/preface.md"), Path("docs/book/set_up.md")]),
         ("Chapters", [*chapters(root), Path("chapters/hard_cases/README.md")]),
         ("Tools", [Path("visualizer/README.md"), Path("docs/course.md"),
-                   Path("docs/scene_files.md"), Path("docs/ray_files.md")]),
+                   Path("docs/scene_files.md"), Path("docs/ray_files.md"), Path("docs/figures.md")]),
         ("Teachers", [Path("docs/book/teaching.md"), Path("docs/book/add_a_structure.md")]),
         ("Look up", [Path("docs/book/glossary.md"), Path("docs/book/sources.md"),
                      Path("docs/numerics.md"), Path("docs/architecture.md"),

@@ -5,7 +5,7 @@
 namespace raysteps {
 
 std::vector<std::pair<std::string, long>> kinds_of(const RayTally& tally) {
-    return {{"camera", tally.camera},
+    return {{"primary", tally.camera},
             {"shadow", tally.shadow},
             {"soft shadow", tally.soft_shadow},
             {"shadow behind glass", tally.behind_glass},

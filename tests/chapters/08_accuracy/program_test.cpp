@@ -64,7 +64,7 @@ TEST_CASE("the program writes page and table and numbers for a scene of ones own
     REQUIRE(numbers["trade_offs"].size() == 2);
     CHECK(numbers["trade_offs"][0]["measurements"].size() == 8 * 11);
     CHECK(numbers["trade_offs"][0]["methods"].size() == 11);
-    CHECK(numbers["circumstances"].contains("commit"));
+    CHECK(numbers["head"]["scenes"][0]["scene"] == "wedge");
     std::set<std::string> needs;
     for (const auto& advice : numbers["advice"]) {
         needs.insert(advice["need"]);

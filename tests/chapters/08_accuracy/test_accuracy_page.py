@@ -38,7 +38,9 @@ def measurement(name, family, count):
 
 
 REPORT = {
-    "scene": "a <wedge> & more", "circumstances": {"commit": "abc", "seed": "1"},
+    "head": {"commit": "abc", "modified": True, "date": "2026-01-02T03:04:05Z", "cpu": "<fast>", "cores": 2,
+             "renderer": "llvmpipe", "opengl": "4.5", "scenes": [{"scene": "a <wedge> & more"}]},
+    "circumstances": {"seed": "1"},
     "scene_needs": ["The mesh is closed."],
     "advice": [{"trade_off": "triangle", "need": "default", "condition": "no fault",
                 "methods": ["sure & slow", "other"]},

@@ -1,6 +1,7 @@
 #include "program/output.h"
 
 #include "catch.h"
+#include "support/error_of.h"
 
 #include <limits>
 
@@ -40,4 +41,25 @@ TEST_CASE("lists of numbers and objects are written as JSON", "[command]") {
     "x": 1
   }
 ])");
+}
+
+TEST_CASE("what was written as JSON is read again", "[command]") {
+    Numbers numbers{{"text", "a \"b\""},  {"whole", -3},           {"count", 12345678901234567890U},
+                    {"part", 0.1},        {"yes", true},           {"nothing", Numbers()},
+                    {"list", {{"x", 1}}}, {"empty", empty_list()}, {"none", empty_object()}};
+    numbers["values"] = std::vector<double>{1.5, 2.0};
+    const Numbers again = parse_json(numbers.to_json(), "some.json");
+    CHECK(again.to_json() == numbers.to_json());
+    CHECK(again.at("part").number() == 0.1);
+    CHECK(again.at("whole").number() == -3.0);
+    CHECK(again.at("values").values().size() == 2);
+    CHECK(again.find("lost") == nullptr);
+}
+
+TEST_CASE("what is missing in a JSON file is named", "[command][refusal]") {
+    const Numbers numbers = parse_json(R"({"a": "text"})", "some.json");
+    CHECK_THAT(error_of([&] { numbers.at("b"); }), contains_text("`b` is missing"));
+    CHECK_THAT(error_of([&] { numbers.at("a").number(); }), contains_text("`\"text\"` stands"));
+    CHECK_THAT(error_of([] { parse_json("{", "some.json"); }),
+               contains_text("some.json: this is no JSON file"));
 }

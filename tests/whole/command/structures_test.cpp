@@ -97,13 +97,17 @@ TEST_CASE("measure prints a table and writes its numbers", "[command][structure]
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, contains_text("kd_ropes"));
     const auto numbers = nlohmann::json::parse(workplace.read("costs.json"));
-    REQUIRE(numbers.at("structures").size() == 5);
-    for (const auto& structure : numbers.at("structures")) {
-        CHECK(structure.at("rays").size() == 3);
+    const auto& scene = numbers.at("scenes").at(0);
+    REQUIRE(scene.at("structures").size() == 5);
+    for (const auto& structure : scene.at("structures")) {
         CHECK(structure.at("facts").contains("memory_bytes"));
-        for (const auto& kind : structure.at("rays")) {
-            CHECK(kind.at("million_rays_per_second").get<double>() > 0.0);
-            CHECK(kind.at("visits_per_ray").get<double>() > 0.0);
+    }
+    CHECK(scene.at("kinds").size() == 3);
+    for (const auto& kind : scene.at("kinds")) {
+        CHECK(kind.at("walks").size() == 5);
+        for (const auto& walk : kind.at("walks")) {
+            CHECK(walk.at("million_rays_per_second").get<double>() > 0.0);
+            CHECK(walk.at("visits_per_ray").get<double>() > 0.0);
         }
     }
 }
