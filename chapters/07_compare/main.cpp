@@ -15,7 +15,8 @@ namespace {
 std::vector<StructureChoice> parse_structures(const std::string& text) {
     std::vector<StructureChoice> structures;
     for (const std::string& word : split_words(text, ',')) {
-        walk_parts("watertight", word.substr(0, word.find(':'))); // which names those that there are
+        walk_parts("watertight",
+                   word.substr(0, word.find(':'))); // which names those that there are
         structures.push_back(parse_structure(word));
         const auto same = [&](const StructureChoice& one) { return one.text == word; };
         if (std::ranges::count_if(structures, same) > 1) {

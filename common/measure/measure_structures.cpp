@@ -319,19 +319,13 @@ void measure_rates(std::vector<Entry>& entries, int rounds, const Progress& prog
     // Work on a GPU is no time of a processor.
     double Seconds::*const spent =
         runs_on_processor(renderer_name()) ? &Seconds::cpu : &Seconds::clock;
-    const std::vector<Seconds>& beside =
-        times[static_cast<std::size_t>(embree - entries.begin())].rounds;
+    const ContestTimes& beside = times[static_cast<std::size_t>(embree - entries.begin())];
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (is_embree(entries[i].tracer.name)) {
-            continue;
+        if (!is_embree(entries[i].tracer.name)) {
+            entries[i].costs.to_embree =
+                speed_ratio(times[i], static_cast<double>(entries[i].costs.rays), beside,
+                            static_cast<double>(embree->costs.rays), spent);
         }
-        const double rays =
-            static_cast<double>(entries[i].costs.rays) / static_cast<double>(embree->costs.rays);
-        std::vector<double> ratios;
-        for (std::size_t round = 0; round < beside.size(); ++round) {
-            ratios.push_back(rays * beside[round].*spent / (times[i].rounds[round].*spent));
-        }
-        entries[i].costs.to_embree = measured_range(std::move(ratios));
     }
 }
 

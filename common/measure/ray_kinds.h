@@ -18,6 +18,7 @@ struct RayKind {
     Query query = Query::closest;
     std::vector<Ray> rays;
     Coherence coherence = Coherence::alone;
+    std::vector<std::size_t> from{}; // the number of the primary ray that each ray comes from
 };
 
 // The rays that a renderer asks a structure for, as far as their coherence differs:

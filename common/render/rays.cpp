@@ -59,7 +59,7 @@ std::size_t texel_of_listed_ray(std::size_t ray, int width) {
            block % blocks_per_row * block_side + column;
 }
 
-RayTextures upload_rays(std::span<const Ray> rays) {
+RayTextures upload_rays(std::span<const Ray> rays, ListLayout layout) {
     GLint tallest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &tallest);
     const std::size_t most =
@@ -81,7 +81,7 @@ RayTextures upload_rays(std::span<const Ray> rays) {
     std::vector<glm::vec4> origins(texel_count(textures.origins), empty_origin);
     std::vector<glm::vec4> directions(texel_count(textures.origins), empty_direction);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const std::size_t texel = texel_of_listed_ray(i, width);
+        const std::size_t texel = layout == ListLayout::rows ? i : texel_of_listed_ray(i, width);
         origins[texel] = glm::vec4(rays[i].origin, rays[i].t_min);
         directions[texel] = glm::vec4(rays[i].direction, rays[i].t_max);
     }

@@ -27,10 +27,14 @@ RayTextures make_ray_textures(int width, int height);
 // neighbours in space, those of the textures are too: 4 rays lie in a square of 2 x 2 texels, 16 in
 // one of 4 x 4, and 64 in one of 8 x 8. So those that a processor traces side by side go the same
 // way. Source of the curve: Morton, "A Computer Oriented Geodetic Data Base", 1966.
-RayTextures upload_rays(std::span<const Ray> rays);
+//
+// Or row by row, as one writes a list down: then the ray of that number lies in that texel. Chapter
+// 10 measures what blocks are worth.
+enum class ListLayout { blocks, rows };
+RayTextures upload_rays(std::span<const Ray> rays, ListLayout layout = ListLayout::blocks);
 
-// Where the ray of that number in such a list lies: row times width and column. All that read a
-// list's texels ask here.
+// Where the ray of that number in a list of blocks lies: row times width and column. All that read
+// such a list's texels ask here.
 std::size_t texel_of_listed_ray(std::size_t ray, int width);
 
 // What a texture of the size of a list's textures holds for its first `count` rays.
