@@ -95,14 +95,14 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
     }
     script << "set terminal pngcairo size 1080,500 font 'DejaVu Sans,12' noenhanced\n"
            << "set output " << gnuplot_text(png.string()) << "\n"
-           << "set multiplot layout 1,3 margins 0.07,0.99,0.24,0.84 spacing 0.03\n"
+           << "set multiplot layout 1,3 margins 0.07,0.99,0.25,0.84 spacing 0.03\n"
            << "set label 1 "
            << gnuplot_text("Rays a second over those of " + yardstick +
                            ": the median of all rounds, and their range")
            << " at screen 0.5,0.96 center font 'DejaVu Sans,14'\n"
            << "set grid ytics\nset xrange [-0.4:" << steps.size() - 0.6
            << "]\nset yrange [0:" << 1.08 * greatest_ratio(scenes)
-           << "]\nset xtics rotate by -35 nomirror (";
+           << "]\nset xtics rotate by 35 right nomirror (";
     for (std::size_t i = 0; i < steps.size(); ++i) {
         script << (i == 0 ? "" : ", ") << gnuplot_text(steps[i].name) << " " << i;
     }
@@ -110,7 +110,7 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
     for (const std::string& kind : kinds) {
         script << "set title " << gnuplot_text(kind + " rays") << "\n";
         if (kind == kinds.back()) {
-            script << "set key top left\n";
+            script << "set key bottom right\n";
         }
         script << "plot 1 with lines lw 2 dt 2 lc rgb '#555555' title " << gnuplot_text(yardstick);
         for (std::size_t scene = 0; scene < scenes.size(); ++scene) {

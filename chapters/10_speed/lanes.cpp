@@ -2,7 +2,6 @@
 
 #include "basics/error.h"
 #include "image/color.h"
-#include "image/draw_text.h"
 #include "image/heat_map.h"
 
 #include <fmt/core.h>
@@ -13,8 +12,6 @@
 namespace raysteps {
 
 namespace {
-
-constexpr int gap = 8; // pixels between two pictures
 
 // Calls `work` with the texels of each block that lie in the picture.
 template <class Work>
@@ -67,14 +64,15 @@ Image draw_values(const std::vector<float>& values, int width, int height,
     return picture;
 }
 
-// The pictures in one line, over the legend that they share.
-Image draw_line_of(const std::vector<Image>& pictures, const HeatMapRange& range,
-                   const std::string& title, const std::string& note) {
-    Image line = pictures.front();
-    for (std::size_t i = 1; i < pictures.size(); ++i) {
-        line = beside(line, pictures[i], gap);
-    }
-    return stack(line, draw_legend(range, title, note, line.width));
+// The pictures in one line with their captions, over the legend that they share.
+Image draw_line_of(const std::vector<Image>& pictures, const std::vector<std::string>& captions,
+                   const HeatMapRange& range, const std::string& title) {
+    const Image line = side_by_side(pictures, captions);
+    return stack(line, draw_legend(range, title, "", line.width));
+}
+
+double mean_of(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 } // namespace
@@ -107,8 +105,6 @@ Image draw_blocks(const std::vector<CountedWalk>& walks) {
     const CountedVisits& first = walks.front().counted;
     std::vector<std::vector<float>> rounds;
     std::vector<float> all;
-    std::string names;
-    std::string note;
     for (const auto& [name, counted] : walks) {
         if (counted.width != first.width || counted.height != first.height) {
             throw InputError("The pictures of " + walks.front().name + " and " + name +
@@ -117,23 +113,23 @@ Image draw_blocks(const std::vector<CountedWalk>& walks) {
         const std::vector<std::uint32_t> own = rounds_of_blocks(counted);
         rounds.emplace_back(own.begin(), own.end());
         all.insert(all.end(), own.begin(), own.end());
-        names += (names.empty() ? "" : " | ") + name;
-        note += fmt::format("{}{}: {:.0f} %", note.empty() ? "" : " | ", name,
-                            100.0 * lanes_at_work(counted));
     }
-    const HeatMapRange of_rounds{0.0f, auto_range(all).upper};
+    const HeatMapRange of_rounds = auto_range(all, HeatMapScale::logarithmic);
     const HeatMapRange of_lanes{0.0f, 1.0f};
     std::vector<Image> above;
     std::vector<Image> below;
+    std::vector<std::string> of_mean;
+    std::vector<std::string> of_work;
     for (std::size_t i = 0; i < walks.size(); ++i) {
+        const auto& [name, counted] = walks[i];
         above.push_back(draw_values(rounds[i], first.width, first.height, of_rounds));
-        below.push_back(
-            draw_values(work_of_blocks(walks[i].counted), first.width, first.height, of_lanes));
+        below.push_back(draw_values(work_of_blocks(counted), first.width, first.height, of_lanes));
+        of_mean.push_back(fmt::format("{}: {:.1f} rounds", name, mean_of(rounds[i])));
+        of_work.push_back(fmt::format("{}: {:.0f} %", name, 100.0 * lanes_at_work(counted)));
     }
-    return stack(draw_line_of(above, of_rounds,
-                              "rounds of each block of 4 x 2 pixels: visits of its slowest ray",
-                              names),
-                 draw_line_of(below, of_lanes, "part of the block's lanes at work", note));
+    return stack(draw_line_of(above, of_mean, of_rounds,
+                              "rounds of each 4 x 2 pixels: visits of the slowest ray"),
+                 draw_line_of(below, of_work, of_lanes, "part of their lanes at work"));
 }
 
 } // namespace raysteps
