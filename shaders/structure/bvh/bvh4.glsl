@@ -116,7 +116,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
             int last_left = max(left - bvh4_steps, 0);
             if (left > last_left && has_bvh4_children(place) && triangle < 0) {
                 do {
-                    observe_visit(place >> 3);
+                    observe_visit(place);
                     int node = bvh4_node(place);
                     Bvh4Choice choice = choose_bvh4_child(for_boxes, place, nearest.t);
                     seen = node + (choice.count > 0 ? choice.child + 1 : bvh4_all_seen);
@@ -135,10 +135,12 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
                 place = bvh4_way_up(bvh4_node(place));
                 --left;
             }
-            if (triangle < 0 && place < no_bvh4_place) {
-                triangle = -2 - place;
+            if (left > 0 && is_bvh4_leaf(place) && triangle < 0) {
+                observe_visit(place);
+                triangle = bvh4_first_triangle(place);
                 place = next_bvh4_place(stack, seen);
                 stack = pop_bvh4(stack);
+                --left;
             }
             if (left > 0 && triangle >= 0) {
                 do {
