@@ -182,8 +182,11 @@ TEST_CASE("packets that run out of stack go on as rays by themselves", "[render]
             {{static_cast<float>(i) * 1e-14f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}, 0.0f, no_end});
     }
     const SceneTextures deep =
-        upload(scene, family_of("bvh4").build(
-                          scene.corners, {.reach = 8.0f, .values = {{"leaf-triangles", "1"}}}));
+        upload(scene, family_of("bvh4").build(scene.corners,
+                                              {.reach = 8.0f,
+                                               .values = {{"leaf-triangles", "1"},
+                                                          {"split", "insertion"},
+                                                          {"insertion-order", "as_given"}}}));
     TraceRays trace = packets();
     const RayTextures rays = upload_neighbours(through_all);
     const std::vector<Hit> found = read_hits(trace.closest_hits(rays, deep), through_all.size());
