@@ -129,8 +129,8 @@ void add_model(Json& file, const Scene& scene) {
 }
 
 std::string outcome_word(Outcome outcome) {
-    constexpr std::array words{"tested", "entered", "climbed", "missed",
-                               "behind", "touched", "leaf"}; // in the order of Outcome
+    constexpr std::array words{"tested", "entered", "climbed", "emptied",
+                               "missed", "behind",  "touched", "leaf"}; // in the order of Outcome
     return words.at(static_cast<std::size_t>(outcome));
 }
 

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     Options options("07_compare",
                     "Chapter 07: which structure is the fastest? All of them in one run.");
     PictureOptions picture{.scene = "bunny", .size = {128, 128}};
-    TraceOptions tracing{.structure = "bvh_ordered"};
+    TraceOptions tracing{.structure = "fastest"};
     Comparison comparison;
     bool builds = false;
     add_picture_options(options, picture);

@@ -71,6 +71,7 @@ void draw(const Program& program, const Targets& targets) {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_EQUAL, 1, 1);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        glStencilMask(0); // else a pass that discards is run before the test
     }
     if (targets.blend == Blend::add) {
         glEnable(GL_BLEND);
@@ -81,6 +82,7 @@ void draw(const Program& program, const Targets& targets) {
     cover(targets.shape, first.layer_width(), first.layer_height());
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
+    glStencilMask(~0U);
     check_gl("running a pass");
 }
 

@@ -34,6 +34,7 @@ Seconds seconds_of(const std::function<void()>& work) {
 
 MeasuredRange speed_ratio(const ContestTimes& ours, double our_work, const ContestTimes& theirs,
                           double their_work, double Seconds::*spent) {
+    //# exercise 10.6: how many times as fast
     std::vector<double> ratios;
     for (std::size_t round = 0; round < ours.rounds.size(); ++round) {
         const double our_speed = our_work / (ours.rounds[round].*spent);
@@ -41,6 +42,10 @@ MeasuredRange speed_ratio(const ContestTimes& ours, double our_work, const Conte
         ratios.push_back(our_speed / their_speed);
     }
     return measured_range(std::move(ratios));
+    //# stub: const double our_speed = our_work / (ours.rounds.front().*spent);
+    //# stub: const double their_speed = their_work / (theirs.rounds.front().*spent);
+    //# stub: return measured_range({our_speed / their_speed});
+    //# end
 }
 
 std::vector<ContestTimes> run_contest(std::span<const Contender> contenders, int rounds,

@@ -53,8 +53,12 @@ std::size_t texel_of_listed_ray(std::size_t ray, int width) {
     const std::size_t blocks_per_row = static_cast<std::size_t>(width) / block_side;
     // Within its block, the bits of a ray's number take turns: x, y, x, y, x, y from the lowest.
     const std::size_t i = ray % rays_per_block;
+    //# exercise 10.5: the place in a block
     const std::size_t column = (i & 1) | (i >> 1 & 2) | (i >> 2 & 4);
     const std::size_t row = (i >> 1 & 1) | (i >> 2 & 2) | (i >> 3 & 4);
+    //# stub: const std::size_t column = i % block_side;
+    //# stub: const std::size_t row = i / block_side;
+    //# end
     return (block / blocks_per_row * block_side + row) * static_cast<std::size_t>(width) +
            block % blocks_per_row * block_side + column;
 }

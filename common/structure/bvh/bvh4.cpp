@@ -32,12 +32,21 @@ Opened open(const Bvh& bvh, std::int32_t branch) {
     Opened opened;
     set_node(opened, opened.count++, bvh, branch);
     while (opened.count < bvh4_width) {
+        //# exercise 10.4: which child is opened
         const auto* const largest =
             std::max_element(opened.areas.begin(), opened.areas.begin() + opened.count);
         if (*largest < 0.0) { // all are leaves
             break;
         }
         const auto place = static_cast<std::size_t>(largest - opened.areas.begin());
+        //# stub: std::size_t place = 0;
+        //# stub: while (place < opened.count && opened.areas[place] < 0.0) {
+        //# stub:     ++place;
+        //# stub: }
+        //# stub: if (place == opened.count) {
+        //# stub:     break;
+        //# stub: }
+        //# end
         const std::int32_t first = bvh.nodes[static_cast<std::size_t>(opened.nodes[place])].first;
         set_node(opened, place, bvh, first);
         set_node(opened, opened.count++, bvh, first + 1);

@@ -46,8 +46,11 @@ Bvh4Stack pop_bvh4(Bvh4Stack stack) {
 
 // Where the walk goes on that has seen all there was below this place.
 int next_bvh4_place(Bvh4Stack stack, int seen) {
+    //# exercise 10.2: the way back
     int back = stack.forgotten ? seen : no_bvh4_place;
     return stack.upper.x != no_bvh4_place ? stack.upper.x : back;
+    //# stub: return stack.upper.x;
+    //# end
 }
 
 // The children that are met and still to be seen.
@@ -75,9 +78,14 @@ Bvh4Choice choose_bvh4_child(BoxRay ray, int place, real t_max) {
     real least = ray.t_min;
     for (int child = 0; child < 4; ++child) {
         real entry = spans.entry[child];
+        //# exercise 10.1: the order of four children
         bool met = entry <= spans.exit[child] && links[child] != no_bvh4_place;
         bool waits = met && (entry > seen || (entry == seen && child > last));
         bool nearer = waits && (choice.count == 0 || entry < least);
+        //# stub: bool met = entry <= spans.exit[child] && links[child] != no_bvh4_place;
+        //# stub: bool waits = met && child > last;
+        //# stub: bool nearer = waits && choice.count == 0;
+        //# end
         int behind = waits ? links[child] : choice.other;
         choice.other = nearer ? choice.link : behind;
         choice.link = nearer ? links[child] : choice.link;
@@ -116,7 +124,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
             int last_left = max(left - bvh4_steps, 0);
             if (left > last_left && has_bvh4_children(place) && triangle < 0) {
                 do {
-                    observe_visit(place >> 3);
+                    observe_visit(place);
                     int node = bvh4_node(place);
                     Bvh4Choice choice = choose_bvh4_child(for_boxes, place, nearest.t);
                     seen = node + (choice.count > 0 ? choice.child + 1 : bvh4_all_seen);
@@ -135,10 +143,12 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
                 place = bvh4_way_up(bvh4_node(place));
                 --left;
             }
-            if (triangle < 0 && place < no_bvh4_place) {
-                triangle = -2 - place;
+            if (left > 0 && is_bvh4_leaf(place) && triangle < 0) {
+                observe_visit(place);
+                triangle = bvh4_first_triangle(place);
                 place = next_bvh4_place(stack, seen);
                 stack = pop_bvh4(stack);
+                --left;
             }
             if (left > 0 && triangle >= 0) {
                 do {

@@ -15,7 +15,7 @@ uniform isamplerBuffer bvh4_nodes;
 const int no_bvh4_place = -1;
 const int bvh4_all_seen = 5;
 
-// Whether the place is a node with children that may still be to be seen, or one without.
+// What a place is: a node with children that may still be to be seen, one without, or a leaf.
 
 bool has_bvh4_children(int place) {
     return place >= 0 && (place & 7) != bvh4_all_seen;
@@ -23,6 +23,14 @@ bool has_bvh4_children(int place) {
 
 bool is_bvh4_done(int place) {
     return place >= 0 && (place & 7) == bvh4_all_seen;
+}
+
+bool is_bvh4_leaf(int place) {
+    return place < no_bvh4_place;
+}
+
+int bvh4_first_triangle(int leaf) {
+    return -2 - leaf;
 }
 
 int bvh4_node(int place) {

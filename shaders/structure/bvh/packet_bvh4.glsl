@@ -16,7 +16,7 @@
 #include "structure/bvh/bvh_leaf.glsl"
 #include "structure/bvh/bvh4_nodes.glsl"
 
-const int packet_steps = 8; // through nodes, before triangles are tested
+const int packet_steps = 3; // through nodes, before triangles are tested
 const int no_packet_place = -1;
 const int all_of_packet_node = 15; // a bit for each of its children
 
@@ -29,10 +29,12 @@ struct PacketStack {
     ivec4 upper; // the top comes first
     ivec4 middle;
     ivec4 lower;
+    ivec4 lowest;
 };
 
 PacketStack push_packet_place(PacketStack stack, int place) {
     PacketStack pushed;
+    pushed.lowest = ivec4(stack.lower.w, stack.lowest.x, stack.lowest.y, stack.lowest.z);
     pushed.lower = ivec4(stack.middle.w, stack.lower.x, stack.lower.y, stack.lower.z);
     pushed.middle = ivec4(stack.upper.w, stack.middle.x, stack.middle.y, stack.middle.z);
     pushed.upper = ivec4(place, stack.upper.x, stack.upper.y, stack.upper.z);
@@ -43,7 +45,8 @@ PacketStack pop_packet_place(PacketStack stack) {
     PacketStack popped;
     popped.upper = ivec4(stack.upper.y, stack.upper.z, stack.upper.w, stack.middle.x);
     popped.middle = ivec4(stack.middle.y, stack.middle.z, stack.middle.w, stack.lower.x);
-    popped.lower = ivec4(stack.lower.y, stack.lower.z, stack.lower.w, no_packet_place);
+    popped.lower = ivec4(stack.lower.y, stack.lower.z, stack.lower.w, stack.lowest.x);
+    popped.lowest = ivec4(stack.lowest.y, stack.lowest.z, stack.lowest.w, no_packet_place);
     return popped;
 }
 
@@ -95,14 +98,22 @@ PacketChoice choose_packet_child(BoxRay rays[4], real4 limits, int octant, int p
     int other = no_bvh4_place;
     real least = real(farthest);
     for (int child = 0; child < 4; ++child) {
+        //# exercise 10.3: a box for four rays
         bool met = false;
-        real first_entry = real(farthest);
         for (int i = 0; i < 4; ++i) {
-            bool meets = entry[i][child] <= exit[i][child];
-            first_entry = meets && entry[i][child] < first_entry ? entry[i][child] : first_entry;
-            met = met || meets;
+            met = met || entry[i][child] <= exit[i][child];
         }
+        // Of rays that do not meet it too: this is for the order alone, and a plain minimum is
+        // one instruction.
+        precise real of_lower =
+            entry[0][child] < entry[1][child] ? entry[0][child] : entry[1][child];
+        precise real of_upper =
+            entry[2][child] < entry[3][child] ? entry[2][child] : entry[3][child];
+        precise real first_entry = of_lower < of_upper ? of_lower : of_upper;
         bool waits = met && links[child] != no_bvh4_place && (place >> child & 1) != 0;
+        //# stub: real first_entry = entry[0][child];
+        //# stub: bool waits = entry[0][child] <= exit[0][child] && links[child] != no_bvh4_place;
+        //# end
         bool nearer = waits && (choice.count == 0 || first_entry < least);
         int behind = waits ? links[child] : other;
         other = nearer ? link : behind;
@@ -145,6 +156,7 @@ PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {
             stack.upper = ivec4(no_packet_place);
             stack.middle = ivec4(no_packet_place);
             stack.lower = ivec4(no_packet_place);
+            stack.lowest = ivec4(no_packet_place);
             int place = all_of_packet_node;
             do {
                 int last_left = max(left - packet_steps, 0);
@@ -153,7 +165,7 @@ PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {
                         PacketChoice choice = choose_packet_child(for_boxes, limits, octant, place);
                         place = choice.place;
                         if (choice.count > 1) {
-                            overflown = overflown || stack.lower.w != no_packet_place;
+                            overflown = overflown || stack.lowest.w != no_packet_place;
                             stack = push_packet_place(stack, choice.other);
                         }
                         if (choice.count == 0) {

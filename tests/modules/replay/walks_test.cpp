@@ -155,7 +155,8 @@ TEST_CASE("a box that a BVH walk enters holds the ray as long as the step says",
     RandomNumbers numbers(seed);
     const Scene scene = sphere_with_triangles(seed);
     const std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 200);
-    for (const std::string structure : {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}) {
+    for (const std::string structure :
+         {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"}) {
         CAPTURE(structure);
         const Replayed replayed(scene, structure, reach_of(rays, scene.corners));
         std::size_t entered = 0;
