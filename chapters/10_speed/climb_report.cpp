@@ -79,6 +79,9 @@ double greatest_ratio(std::span<const ClimbedScene> scenes) {
     return greatest;
 }
 
+// Of the scenes' lines: dark enough on paper, and apart for those who see fewer colours.
+const std::vector<std::string> line_colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#5c4033"};
+
 // So far are the marks of two scenes apart on an axis on which steps are 1 apart.
 constexpr double between_scenes = 0.06;
 
@@ -116,10 +119,11 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
         for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
             const double shift = between_scenes * (static_cast<double>(scene) -
                                                    static_cast<double>(scenes.size() - 1) / 2.0);
+            const std::string color = gnuplot_text(line_colors[scene % line_colors.size()]);
             const std::string block = "$" + kind + std::to_string(scene);
-            script << ", " << block << " using ($1+" << shift << "):2 with lines lw 2 lc "
-                   << scene + 1 << " notitle, " << block << " using ($1+" << shift
-                   << "):2:3:4 with yerrorbars lw 2 pt 7 ps 1.1 lc " << scene + 1 << " title "
+            script << ", " << block << " using ($1+" << shift << "):2 with lines lw 2 lc rgb "
+                   << color << " notitle, " << block << " using ($1+" << shift
+                   << "):2:3:4 with yerrorbars lw 2 pt 7 ps 1.1 lc rgb " << color << " title "
                    << gnuplot_text(scenes[scene].scene);
         }
         script << "\nunset label 1\nset format y ''\n";
