@@ -2,8 +2,9 @@
 
 #include "basics/error.h"
 #include "basics/text.h"
+#include "measure/built_structures.h"
 #include "measure/contest.h"
-#include "program/output.h"
+#include "program/figures.h"
 #include "reference/embree/embree.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/bvh.h"
@@ -35,6 +36,23 @@ std::string to_words(const MeasuredRange& range) {
 
 double ratio_of(const BuildContest& contest) {
     return contest.ours.median / contest.embrees.median;
+}
+
+Numbers numbers_of(const MeasuredRange& nanoseconds) {
+    return {{"median", nanoseconds.median},
+            {"lowest", nanoseconds.lowest},
+            {"highest", nanoseconds.highest}};
+}
+
+Numbers numbers_of(const std::vector<BuildContest>& contests) {
+    Numbers numbers = empty_list();
+    for (const BuildContest& contest : contests) {
+        numbers.push_back({{"scene", contest.scene},
+                           {"cpu_nanoseconds_per_triangle", numbers_of(contest.ours)},
+                           {"cpu_nanoseconds_per_triangle_by_embree", numbers_of(contest.embrees)},
+                           {"cost_to_sweep", contest.cost_to_sweep}});
+    }
+    return numbers;
 }
 
 } // namespace
@@ -97,8 +115,11 @@ void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
                            "libembree-dev, and build again.");
     }
     std::vector<BuildContest> contests;
+    FiguresHead head{.schema = "builds.schema.json",
+                     .builders = used_builders(plain_structures({"bvh"}), tracing.build_values)};
     for (const std::string& name : comparison.scenes) {
         const Scene scene = load_scene(picture, name);
+        head.scenes.push_back(record_of(scene));
         contests.push_back(contest_builds(scene, {.values = tracing.build_values},
                                           comparison.rounds, show_progress("building " + name)));
     }
@@ -107,6 +128,10 @@ void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
               << " rounds, and its range\n"
               << to_table(contests) << "(cost: expected cost per ray, over that of a full sweep)\n";
     write_text(picture.out / "builds.csv", to_csv(contests));
+    write_figures(picture.json, head,
+                  {{"rounds", comparison.rounds},
+                   {"embree", embree_name()},
+                   {"scenes", numbers_of(contests)}});
 }
 
 } // namespace raysteps

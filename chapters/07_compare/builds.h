@@ -32,7 +32,7 @@ std::string to_table(const std::vector<BuildContest>& contests);
 std::string to_csv(const std::vector<BuildContest>& contests);
 
 // Builds a BVH of each scene in turn with Embree, prints the table, and writes builds.csv to the
-// folder of --out.
+// folder of --out, and the file of --json.
 void run_builds(const PictureOptions& picture, const TraceOptions& tracing,
                 const Comparison& comparison);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/measure_structures.h"
+#include "measure/built_structures.h"
 #include "reference/embree/embree.h"
 #include "trace/trace_options.h"
 

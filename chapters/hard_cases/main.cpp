@@ -156,5 +156,6 @@ int main(int argc, char** argv) {
     options.output_folder("--out", request.out, "the folder for what the fuzzer finds");
     options.output_file("--json", request.json, "a file for the rows of the table");
     options.output_file("--csv", request.csv, "a file for the rows of the table");
+    options.excludes("--fuzz", {"--json", "--csv"});
     return options.run(argc, argv, [&] { run_trials(request); });
 }

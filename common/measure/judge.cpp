@@ -15,7 +15,7 @@ namespace raysteps {
 namespace {
 
 constexpr std::size_t sampled_rays = 1024;
-constexpr std::size_t most_tests = 1U << 26U; // of triangles: about half a second
+constexpr std::size_t most_tests = 1U << 25U; // of triangles: about a quarter of a second
 constexpr int sample_seed = 7;
 
 // The answers by the numbers of the rays; null where somebody was not asked.
@@ -69,29 +69,30 @@ std::vector<std::size_t> random_sample(std::vector<std::size_t> rays, std::size_
     return rays;
 }
 
-Difference difference_of(const Witness& one, const Witness& other, Query query) {
-    Difference difference{one.name, other.name};
+Disagreement disagreement_of(const Witness& one, const Witness& other, Query query) {
+    Disagreement disagreement{one.name, other.name};
     for (std::size_t i = 0; i < one.answers.size(); ++i) {
         if (one.answers[i] != nullptr && other.answers[i] != nullptr) {
-            ++difference.of;
-            difference.rays += is_same_answer(*one.answers[i], *other.answers[i], query) ? 0 : 1;
+            ++disagreement.of;
+            disagreement.rays += is_same_answer(*one.answers[i], *other.answers[i], query) ? 0 : 1;
         }
     }
-    return difference;
+    return disagreement;
 }
 
-// The loop is the last witness, and its differences come first.
-std::vector<Difference> differences_of(std::span<const Witness> witnesses, Query query) {
-    std::vector<Difference> differences;
+// The loop is the last witness, and its disagreements come first.
+std::vector<Disagreement> disagreements_of(std::span<const Witness> witnesses, Query query) {
+    std::vector<Disagreement> disagreements;
     for (std::size_t other = witnesses.size(); other-- > 1;) {
         for (std::size_t one = 0; one < other; ++one) {
-            const Difference difference = difference_of(witnesses[one], witnesses[other], query);
-            if (difference.rays > 0) {
-                differences.push_back(difference);
+            const Disagreement disagreement =
+                disagreement_of(witnesses[one], witnesses[other], query);
+            if (disagreement.rays > 0) {
+                disagreements.push_back(disagreement);
             }
         }
     }
-    return differences;
+    return disagreements;
 }
 
 DisputedRay disputed_ray(std::span<const Witness> witnesses, const RayKind& kind,
@@ -114,9 +115,9 @@ RayKind those_of(const RayKind& kind, const std::set<std::size_t>& numbers) {
 }
 
 // "a differs from the loop in 3 of 9 rays, b in 2 of 9; a differs from b in 1 of 12 rays"
-std::string to_words(std::span<const Difference> differences) {
+std::string to_words(std::span<const Disagreement> disagreements) {
     std::string words;
-    for (const Difference& one : differences) {
+    for (const Disagreement& one : disagreements) {
         words += fmt::format("{}{} differs from {} in {} of {}", words.empty() ? "" : ", ", one.one,
                              one.other, one.rays, one.of);
     }
@@ -127,7 +128,7 @@ std::string sentence_of(const Dispute& dispute) {
     return fmt::format("{} of {} {} rays of {} have more than one answer: {}. With --triangle "
                        "watertight, that is a bug in Raysteps or in a driver; please report it.",
                        dispute.disputed, dispute.all_rays, dispute.kind, dispute.scene,
-                       to_words(dispute.differences));
+                       to_words(dispute.disagreements));
 }
 
 std::string csv_line(std::size_t ray, const std::string& who, double t, double u, double v,
@@ -169,7 +170,7 @@ Judgement judge(const Scene& scene, const RayKind& kind, std::span<const Answers
     Dispute dispute{.scene = scene.name,
                     .kind = kind.name,
                     .all_rays = count,
-                    .differences = differences_of(witnesses, kind.query),
+                    .disagreements = disagreements_of(witnesses, kind.query),
                     .disputed = disputed.size(),
                     .rays = {}};
     disputed.resize(std::min(disputed.size(), most_disputed_rays));
@@ -192,7 +193,7 @@ DisputeError::DisputeError(Dispute dispute)
 std::string to_table(const Dispute& dispute) {
     std::string table =
         fmt::format("\nWho differs from whom in {} rays of {}\n", dispute.kind, dispute.scene);
-    for (const Difference& one : dispute.differences) {
+    for (const Disagreement& one : dispute.disagreements) {
         table += fmt::format("{:21} {:30} {} of {} rays\n", one.one, one.other, one.rays, one.of);
     }
     return table;

@@ -29,7 +29,7 @@ using LoopOverTriangles = std::function<std::vector<Hit>(const RayKind& rays)>;
 inline const std::string the_loop = "the loop over every triangle";
 
 // Who differs from whom, and in how many of the rays that both were asked.
-struct Difference {
+struct Disagreement {
     std::string one;
     std::string other;
     std::size_t rays = 0;
@@ -48,10 +48,10 @@ struct DisputedRay {
 struct Dispute {
     std::string scene;
     std::string kind;
-    std::size_t all_rays = 0;            // of that kind
-    std::vector<Difference> differences; // the loop's first
-    std::size_t disputed = 0;            // rays
-    std::vector<DisputedRay> rays;       // the first most_disputed_rays of them
+    std::size_t all_rays = 0;                // of that kind
+    std::vector<Disagreement> disagreements; // the loop's first
+    std::size_t disputed = 0;                // rays
+    std::vector<DisputedRay> rays;           // the first most_disputed_rays of them
 };
 
 inline constexpr std::size_t most_disputed_rays = 4096;
@@ -63,8 +63,8 @@ struct Judgement {
 };
 
 // Compares all contenders with each other on all rays that both were asked, and with the loop on
-// every ray that they differ in (up to most_disputed_rays) and on a random sample: of each
-// contender's rays 1024, or as many as make 2^26 tests of a triangle, whichever is less.
+// every ray that they differ in (up to most_disputed_rays) and on a random sample (seed 7): of each
+// contender's rays 1024, or as many as make 2^25 tests of a triangle, whichever is less.
 Judgement judge(const Scene& scene, const RayKind& kind, std::span<const Answers> answers,
                 const LoopOverTriangles& loop);
 

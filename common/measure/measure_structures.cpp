@@ -5,7 +5,6 @@
 #include "measure/judge.h"
 #include "measure/ray_kinds.h"
 #include "render/rays.h"
-#include "structure/padding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,47 +31,6 @@ TraceRays make_counting_tracer(const std::string& triangle, const std::string& s
 
 Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays, Query query) {
     return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
-}
-
-// A scene with its built structures: those of one family and the same options share one.
-using BuiltStructures = std::map<std::string, SceneTextures>;
-
-// The values for all that this choice's builder knows, and over them its own.
-std::map<std::string, std::string> values_of(const StructureChoice& choice,
-                                             const std::map<std::string, std::string>& values) {
-    std::map<std::string, std::string> own = choice.values;
-    for (const BuildOption& option : family_of(choice.structure).options) {
-        const auto value = values.find(option.name);
-        if (value != values.end()) {
-            own.insert(*value); // unless it is there
-        }
-    }
-    return own;
-}
-
-std::string key_of(const StructureChoice& choice,
-                   const std::map<std::string, std::string>& values) {
-    std::string key = family_of(choice.structure).name;
-    for (const auto& [name, value] :
-         used_build_values(choice.structure, values_of(choice, values))) {
-        key += ":" + name + "=" + value;
-    }
-    return key;
-}
-
-BuiltStructures build_all(const Scene& scene, const std::vector<StructureChoice>& choices,
-                          const std::map<std::string, std::string>& values) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
-    BuiltStructures built;
-    for (const StructureChoice& choice : choices) {
-        const std::string key = key_of(choice, values);
-        if (!built.contains(key)) {
-            const BuildRequest request{.reach = reach, .values = values_of(choice, values)};
-            built.emplace(key,
-                          upload(scene, family_of(choice.structure).build(scene.corners, request)));
-        }
-    }
-    return built;
 }
 
 // What a picture has for its pixels as a list in which neighbours stay neighbours.
@@ -338,24 +296,6 @@ MeasureRequest with_first_walk(MeasureRequest request) {
 
 } // namespace
 
-std::vector<StructureChoice> plain_structures(const std::vector<std::string>& names) {
-    std::vector<StructureChoice> choices;
-    for (const std::string& name : names) {
-        choices.push_back({.text = name, .structure = name});
-    }
-    return choices;
-}
-
-std::map<std::string, std::map<std::string, std::string>>
-used_builders(const std::vector<StructureChoice>& structures,
-              const std::map<std::string, std::string>& build_values) {
-    std::map<std::string, std::map<std::string, std::string>> used;
-    for (const StructureChoice& choice : structures) {
-        used[choice.text] = used_build_values(choice.structure, values_of(choice, build_values));
-    }
-    return used;
-}
-
 StructureContest::StructureContest(MeasureRequest request, const Limits& limits)
     : request_(with_first_walk(std::move(request))), limits_(limits),
       first_walk_(make_tracer(request_.triangle, request_.first_walk, limits)),
@@ -371,20 +311,17 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     const StructureChoice loop_choice{"every_triangle", "every_triangle"};
     std::vector<StructureChoice> choices = request_.structures;
     choices.insert(choices.end(), {first_choice, loop_choice});
-    const BuiltStructures built = build_all(scene, choices, request_.build_values);
-    const auto built_for = [&](const StructureChoice& choice) -> const SceneTextures& {
-        return built.at(key_of(choice, request_.build_values));
-    };
+    const BuiltStructures built(scene, choices, request_.build_values);
     std::vector<Tracer> tracers;
     for (const StructureChoice& choice : request_.structures) {
-        tracers.push_back(make_walker(choice.text, walks_.at(choice.structure), built_for(choice)));
+        tracers.push_back(make_walker(choice.text, walks_.at(choice.structure), built.of(choice)));
     }
     for (Tracer& tracer : make_embree(scene, request_.embree)) {
         tracers.push_back(std::move(tracer));
     }
-    const Tracer first_walk = make_walker(first_choice.text, first_walk_, built_for(first_choice));
+    const Tracer first_walk = make_walker(first_choice.text, first_walk_, built.of(first_choice));
     const LoopOverTriangles loop = [&](const RayKind& kind) {
-        return read_hits(trace(loop_, built_for(loop_choice), upload_rays(kind.rays), kind.query),
+        return read_hits(trace(loop_, built.of(loop_choice), upload_rays(kind.rays), kind.query),
                          kind.rays.size());
     };
     SceneCosts costs{.scene = scene.name, .triangles = triangle_count(scene)};
@@ -395,7 +332,7 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
     const std::vector<Hit> hits =
-        in_blocks(read_hits(first_walk_.closest_hits(camera, built_for(first_choice))), request_);
+        in_blocks(read_hits(first_walk_.closest_hits(camera, built.of(first_choice))), request_);
     std::vector<RaySets> kinds;
     for (RayKind& kind : ray_kinds(scene, in_blocks(read_rays(camera), request_), hits, 1)) {
         if (std::find(request_.kinds.begin(), request_.kinds.end(), kind.name) !=
@@ -420,7 +357,7 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
         const StructureChoice& choice = request_.structures[i];
         TraceRays count = make_counting_tracer(request_.triangle, choice.structure, limits_);
         for (std::vector<Entry>& own : entries) {
-            add_counts(own[i], count, built_for(choice));
+            add_counts(own[i], count, built.of(choice));
         }
     }
     progress(++done / steps);

@@ -2,9 +2,9 @@
 
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
+#include "measure/built_structures.h"
 #include "measure/scene_costs.h"
 #include "reference/embree/embree.h"
-#include "render/scene_textures.h"
 #include "render/trace_rays.h"
 #include "scene/scene.h"
 #include "structure/structure.h"
@@ -31,14 +31,6 @@ struct MeasureRequest {
     // A contender that takes longer to trace all rays is measured with a part of them.
     double most_seconds = std::numeric_limits<double>::infinity();
 };
-
-// The choices without options of their own.
-std::vector<StructureChoice> plain_structures(const std::vector<std::string>& names);
-
-// The options with which a choice is built, by the name that it has in tables.
-std::map<std::string, std::map<std::string, std::string>>
-used_builders(const std::vector<StructureChoice>& structures,
-              const std::map<std::string, std::string>& build_values);
 
 // Structures, and Embree beside them, in contests on the same rays, scene by scene. A context must
 // be current while it lives.

@@ -77,12 +77,12 @@ TEST_CASE("a bit that differs is disputed and the loop says whose it is", "[07][
     REQUIRE(judgement.dispute.has_value());
     const Dispute& dispute = *judgement.dispute;
     CHECK(dispute.disputed == 1);
-    REQUIRE(dispute.differences.size() == 3);
-    CHECK(dispute.differences[0].one == "a");
-    CHECK(dispute.differences[0].other == the_loop);
-    for (const Difference& difference : dispute.differences) {
-        CHECK(difference.one == "a");
-        CHECK(difference.rays == 1);
+    REQUIRE(dispute.disagreements.size() == 3);
+    CHECK(dispute.disagreements[0].one == "a");
+    CHECK(dispute.disagreements[0].other == the_loop);
+    for (const Disagreement& disagreement : dispute.disagreements) {
+        CHECK(disagreement.one == "a");
+        CHECK(disagreement.rays == 1);
     }
     REQUIRE(dispute.rays.size() == 1);
     CHECK(dispute.rays[0].number == 7);
@@ -115,8 +115,8 @@ TEST_CASE("walks that are wrong in the same way do not pass by agreeing", "[07][
     const Judgement judgement = judged(scene, kind, {answers_of("a", lost), answers_of("b", lost)});
     REQUIRE(judgement.dispute.has_value());
     CHECK(judgement.judged[0] == 1024);
-    CHECK(judgement.dispute->differences.size() == 2); // both from the loop
-    CHECK(judgement.dispute->differences[0].of == 1024);
+    CHECK(judgement.dispute->disagreements.size() == 2); // both from the loop
+    CHECK(judgement.dispute->disagreements[0].of == 1024);
     CHECK(judgement.dispute->disputed > wrong / 3);
 }
 
@@ -131,9 +131,9 @@ TEST_CASE("a slow walk is compared on the rays that it was asked", "[07][judge]"
         judged(scene, kind, {answers_of("slow", other, 4), answers_of("b", hits)});
     REQUIRE(judgement.dispute.has_value());
     CHECK(judgement.dispute->disputed == 1);
-    for (const Difference& difference : judgement.dispute->differences) {
-        CHECK(difference.rays == 1);
-        CHECK(difference.of == 5);
+    for (const Disagreement& disagreement : judgement.dispute->disagreements) {
+        CHECK(disagreement.rays == 1);
+        CHECK(disagreement.of == 5);
     }
 }
 

@@ -220,13 +220,15 @@ TEST_CASE("a run is compared with an earlier one and says what is slower",
                                 "--size 16 --embree off ";
     REQUIRE(run_in(folder, options + "--json then.json"));
     auto then = nlohmann::json::parse(bytes_of(folder / "then.json"));
+    // Far more than what a busy machine can do: the test does not depend on time.
     const auto with_rates_times = [&](double factor) {
         auto changed = then;
         for (auto& kind : changed["scenes"][0]["kinds"]) {
-            auto& walk = kind["walks"][0];
-            for (const std::string name :
-                 {"million_rays_per_cpu_second", "lowest_by_cpu_time", "highest_by_cpu_time"}) {
-                walk[name] = walk[name].get<double>() * factor;
+            for (auto& walk : kind["walks"]) {
+                for (const std::string name :
+                     {"million_rays_per_cpu_second", "lowest_by_cpu_time", "highest_by_cpu_time"}) {
+                    walk[name] = walk[name].get<double>() * factor;
+                }
             }
         }
         std::ofstream(folder / "changed.json") << changed;
@@ -239,7 +241,7 @@ TEST_CASE("a run is compared with an earlier one and says what is slower",
     const auto [passed, slower] = with_rates_times(1e6);
     CHECK_FALSE(passed);
     CHECK_THAT(slower, contains_text("slower beyond doubt"));
-    CHECK_THAT(bytes_of(folder / "errors"), contains_text("4 of 8 rates are lower than then"));
+    CHECK_THAT(bytes_of(folder / "errors"), contains_text("8 of 8 rates are lower than then"));
 
     const auto refusal = [&](const nlohmann::json& file, const std::string& more = "") {
         std::ofstream(folder / "changed.json") << file;

@@ -25,6 +25,7 @@ RUNS = {
     "trace of 06": ("06_bvh", [*SMALL, "--split", "median"]),
     "walks of 06": ("06_bvh", [*SMALL, "--measure"]),
     "compare": ("07_compare", [*SMALL, "--rounds", "1", "--growth", "1", "--structure", "bvh_ordered,kd_ropes:depth=5"]),
+    "builds": ("07_compare", ["--builds", "--scenes", "compact:4", "--rounds", "1"]),
     "accuracy": ("08_accuracy", [*SMALL, "--trade-offs", "triangle", "--rounds", "1"]),
     "effects": ("09_effects", SMALL),
     "proof": ("09_effects", ["--prove", "--scenes", "compact:4,glass_box", "--rounds", "1", "--size", "16"]),
