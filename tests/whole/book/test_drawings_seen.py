@@ -27,8 +27,9 @@ const measure = (svg, name) => ({
   name,
   frame: box(svg),
   card: getComputedStyle(svg.querySelector('.back')).fill,
-  colors: seen(svg.querySelectorAll('*')).map((e) => [e.getAttribute('class') || '', getComputedStyle(e).color]),
-  shapes: seen(svg.querySelectorAll('polyline, polygon, path, circle, rect')).map((e) => [e.outerHTML, box(e)]),
+  colors: [...new Map(seen(svg.querySelectorAll('[class]')).map(
+    (e) => [e.getAttribute('class'), getComputedStyle(e).color]))],
+  shapes: seen(svg.querySelectorAll('polyline, polygon, path, circle, rect')).map((e) => [e.outerHTML.slice(0, 60), box(e)]),
   texts: seen(svg.querySelectorAll('text')).map((text) => ({
     words: text.textContent,
     box: box(text),
