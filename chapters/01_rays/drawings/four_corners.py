@@ -2,10 +2,16 @@
 
 from drawings.places import Flat
 
-ALT = ("A rectangle with a ray at each corner, drawn as two triangles with a diagonal between them: the rasterizer mixes the corners' "
-       "values at each pixel's centre, in each triangle from three of them")
+ALT = (
+    "A rectangle with a ray at each corner, drawn as two triangles with a diagonal between them: "
+    "the rasterizer mixes the corners' values at each pixel's centre, in each triangle from three "
+    "of them"
+)
 HEIGHT = 290
-SENTENCES = ["So the paper computes the rays only in the four corners:", "with s and t 0 or 1"]
+SENTENCES = [
+    "So the paper computes the rays only in the four corners:",
+    "with s and t 0 or 1",
+]
 
 
 def draw(canvas, _lesson):
@@ -23,8 +29,13 @@ def draw(canvas, _lesson):
         outwards = (28 if x else -28, -18 if y else 18)
         canvas.arrow(place, (place[0] + outwards[0], place[1] + outwards[1]), color="ray", width="thick")
         canvas.point(place, color="ray", radius=6)
-        canvas.text((place[0] + outwards[0], place[1] + outwards[1]), f"$s$ = {x // wide}\n$t$ = {y // high}",
-                    "e" if x else "w", color="ray", gap=8)
+        canvas.text(
+            (place[0] + outwards[0], place[1] + outwards[1]),
+            f"$s$ = {x // wide}\n$t$ = {y // high}",
+            "e" if x else "w",
+            color="ray",
+            gap=8,
+        )
     target = at(3.5, 1.5)
     for corner in ((0, 0), (wide, 0), (wide, high)):
         canvas.line(target, at(*corner), color="ray", dashed=True, width="thin")

@@ -2,14 +2,19 @@
 
 from drawings.places import Solid, between
 
-ALT = ("The view rectangle in space: from the eye the unit vectors f, r and u; at distance 1 along f a rectangle with "
-       "the half sides w and h; the vector l to its lower left corner, and the ray d through the point (s, t)")
+ALT = (
+    "The view rectangle in space: from the eye the unit vectors f, r and u; at distance 1 along f "
+    "a rectangle with the half sides w and h; the vector l to its lower left corner, and the ray d "
+    "through the point (s, t)"
+)
 HEIGHT = 350
-SENTENCES = ["Hang a rectangle before the eye, perpendicular to f, at distance 1.",
-             "each from 0 to 1, has the direction"]
+SENTENCES = [
+    "Hang a rectangle before the eye, perpendicular to f, at distance 1.",
+    "each from 0 to 1, has the direction",
+]
 
-W, H = 0.6, 0.45     # half of the sides
-S, T = 0.75, 0.75    # any point of it
+W, H = 0.6, 0.45  # half of the sides
+S, T = 0.75, 0.75  # any point of it
 
 
 def draw(canvas, _lesson):
@@ -31,8 +36,11 @@ def draw(canvas, _lesson):
     canvas.arrow(eye, corners[0], color="good")
     canvas.text(between(eye, corners[0], 0.62), "$**ℓ**$", "s", color="good")
     canvas.arrow(eye, on((2 * S - 1) * W * 1.3, (2 * T - 1) * H * 1.3, 1.3), color="ray", width="thick")
-    for tip, letter, side in ((on(0, 0, 0.45), "$**f**$", "s"), (on(0.45, 0, 0), "$**r**$", "s"),
-                              (on(0, 0.45, 0), "$**u**$", "n")):
+    for tip, letter, side in (
+        (on(0, 0, 0.45), "$**f**$", "s"),
+        (on(0.45, 0, 0), "$**r**$", "s"),
+        (on(0, 0.45, 0), "$**u**$", "n"),
+    ):
         canvas.arrow(eye, tip)
         canvas.text(tip, letter, side)
     canvas.point(eye, "eye", "w")

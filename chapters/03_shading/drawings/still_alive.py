@@ -1,10 +1,14 @@
 """How many paths live before each bounce: bars whose areas are the rays that are traced."""
 
-ALT = ("Bars of the paths that live: 65,536 camera rays, 25,761 after the first bounce, 3,762 after the second, and hardly any "
-       "after that")
+ALT = (
+    "Bars of the paths that live: 65,536 camera rays, 25,761 after the first bounce, 3,762 after "
+    "the second, and hardly any after that"
+)
 HEIGHT = 220
-SENTENCES = ["`./run.sh 03 --size 256x256` follows 65,536 camera rays in the scene `mirrors`.",
-             "The second bounce concerns 3,762 of 65,536 paths."]
+SENTENCES = [
+    "`./run.sh 03 --size 256x256` follows 65,536 camera rays in the scene `mirrors`.",
+    "The second bounce concerns 3,762 of 65,536 paths.",
+]
 HEADING = "| `--max-bounces` | shadow rays | mirror rays |"
 
 

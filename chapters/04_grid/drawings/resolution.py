@@ -4,12 +4,21 @@ import math
 
 from drawings.places import Flat
 
-ALT = ("Against the cells along the longest side, from 8 to 256, with logarithmic axes: the cells that a ray visits rise in a straight "
-       "line, the triangles that it tests fall, and the time has a flat valley between 32 and 96")
+ALT = (
+    "Against the cells along the longest side, from 8 to 256, with logarithmic axes: the cells "
+    "that a ray visits rise in a straight line, the triangles that it tests fall, and the time has "
+    "a flat valley between 32 and 96"
+)
 HEIGHT = 400
-SENTENCES = ["It is flat: from 32 to 96 cells one hardly notices the choice"]
+SENTENCES = [
+    "It is flat: from 32 to 96 cells one hardly notices the choice",
+]
 HEADING = "| `--resolution` | 8 | 16 | 32 | 64 | 96 | 128 | 256 |"
-ROWS = (("cells visited a ray", "visits", "shape"), ("triangles tested a ray", "tests", "wrong"), ("time", "time", "ray"))
+ROWS = (
+    ("cells visited a ray", "visits", "shape"),
+    ("triangles tested a ray", "tests", "wrong"),
+    ("time", "time", "ray"),
+)
 
 
 def draw(canvas, lesson):

@@ -1,16 +1,29 @@
 """A short stack that is full: the oldest entry is forgotten, and found again by a restart."""
 
-ALT = ("A stack of eight entries that is full. A new entry comes on top, and the oldest at the bottom is forgotten. Later, when the "
-       "stack is empty though the ray goes on, the walk goes down again from the last node that held the whole rest of the ray")
+ALT = (
+    "A stack of eight entries that is full. A new entry comes on top, and the oldest at the bottom "
+    "is forgotten. Later, when the stack is empty though the ray goes on, the walk goes down again "
+    "from the last node that held the whole rest of the ray"
+)
 HEIGHT = 330
-SENTENCES = ["A stack of eight. When it is full, it forgets its *oldest* entry; when it is empty although the ray goes on, restart."]
+SENTENCES = [
+    "A stack of eight. When it is full, it forgets its *oldest* entry; when it is empty although "
+    "the ray goes on, restart.",
+]
 
 
 def draw(canvas, _lesson):
     left, top = 70, 60
     for number in range(8):
-        canvas.box(left, top + 30 * number, 120, 28, "newest" if number == 0 else ("oldest" if number == 7 else ""),
-                   color="ray" if number == 0 else "shape", filled=True)
+        canvas.box(
+            left,
+            top + 30 * number,
+            120,
+            28,
+            "newest" if number == 0 else ("oldest" if number == 7 else ""),
+            color="ray" if number == 0 else "shape",
+            filled=True,
+        )
     canvas.arrow((130, 12), (130, top - 6), color="ray", width="thick")
     canvas.text((142, 26), "the far child", "e", color="ray", gap=4)
     canvas.arrow((194, top + 30 * 7 + 14), (252, top + 30 * 7 + 14), color="wrong", dashed=True, width="thick")

@@ -2,12 +2,17 @@
 
 from drawings.places import Flat
 
-ALT = ("Left, a box with triangles: a first plane cuts it, a second and a third cut the parts, and four leaves A, B, C, D fill it "
-       "without overlap. Right, the tree: three inner nodes, each a plane, and four leaves; the triangle that a plane cuts is listed "
-       "in both its leaves")
+ALT = (
+    "Left, a box with triangles: a first plane cuts it, a second and a third cut the parts, and "
+    "four leaves A, B, C, D fill it without overlap. Right, the tree: three inner nodes, each a "
+    "plane, and four leaves; the triangle that a plane cuts is listed in both its leaves"
+)
 HEIGHT = 290
-SENTENCES = ["The boxes of the leaves fill the root's box without overlap, so a ray meets them one after the other.",
-             "A triangle that reaches into several leaves is listed in each."]
+SENTENCES = [
+    "The boxes of the leaves fill the root's box without overlap, so a ray meets them one after "
+    "the other.",
+    "A triangle that reaches into several leaves is listed in each.",
+]
 
 
 def draw(canvas, _lesson):
@@ -17,8 +22,12 @@ def draw(canvas, _lesson):
     canvas.line(at(3, 0), at(3, high), color="ray", width="thick")
     canvas.line(at(0, 1.8), at(3, 1.8), color="good", width="thick")
     canvas.line(at(3, 2.6), at(wide, 2.6), color="wrong", width="thick")
-    for corners, is_cut in ((((0.4, 0.4), (1.3, 0.6), (0.8, 1.2)), False), (((2.2, 0.7), (3.8, 1.0), (3.2, 1.6)), True),
-                            (((0.6, 2.3), (1.6, 2.5), (0.9, 3.2)), False), (((3.5, 3.0), (4.5, 3.1), (4.1, 3.7)), False)):
+    for corners, is_cut in (
+        (((0.4, 0.4), (1.3, 0.6), (0.8, 1.2)), False),
+        (((2.2, 0.7), (3.8, 1.0), (3.2, 1.6)), True),
+        (((0.6, 2.3), (1.6, 2.5), (0.9, 3.2)), False),
+        (((3.5, 3.0), (4.5, 3.1), (4.1, 3.7)), False),
+    ):
         canvas.area(*(at(*corner) for corner in corners), color="ink" if is_cut else "quiet")
     for letter, place in (("A", (0.25, 1.45)), ("B", (0.25, 3.65)), ("C", (4.7, 0.35)), ("D", (4.75, 3.65))):
         canvas.text(at(*place), letter, color="shape")

@@ -2,10 +2,15 @@
 
 from drawings.places import Flat
 
-ALT = ("A lamp with a width above a thing and a floor. Where no point of the lamp is seen from the floor there is the full shadow; "
-       "where some are, the soft edge; each sample asks one point of the lamp")
+ALT = (
+    "A lamp with a width above a thing and a floor. Where no point of the lamp is seen from the "
+    "floor there is the full shadow; where some are, the soft edge; each sample asks one point of "
+    "the lamp"
+)
 HEIGHT = 320
-SENTENCES = ["- **A lamp with an area** is asked at one of its points by each sample."]
+SENTENCES = [
+    "- **A lamp with an area** is asked at one of its points by each sample.",
+]
 
 LAMP, LAMP_HEIGHT = (-1.0, 1.0), 4.0
 THING, THING_HEIGHT = (-0.9, 1.1), 2.0
@@ -23,7 +28,11 @@ def draw(canvas, _lesson):
     for lamp, end in ((LAMP[0], dark[0]), (LAMP[1], dark[1]), (LAMP[1], soft[0]), (LAMP[0], soft[1])):
         canvas.line(at(lamp, LAMP_HEIGHT), at(end, 0), color="rule", width="thin")
     canvas.line(at(-4.6, 0), at(4.6, 0), color="good", width="thick")
-    for start, end, color in ((dark[0], dark[1], "ink"), (soft[0], dark[0], "quiet"), (dark[1], soft[1], "quiet")):
+    for start, end, color in (
+        (dark[0], dark[1], "ink"),
+        (soft[0], dark[0], "quiet"),
+        (dark[1], soft[1], "quiet"),
+    ):
         canvas.line(at(start, -0.08), at(end, -0.08), color=color, width="thick")
         canvas.line(at(start, -0.14), at(end, -0.14), color=color, width="thick")
     canvas.line(at(*(LAMP[0], LAMP_HEIGHT)), at(LAMP[1], LAMP_HEIGHT), color="good", width="thick")
