@@ -48,7 +48,7 @@ def draw(canvas, _lesson):
     for letter, at, wide in (("a", (258, 48), 92), ("b", (356, 74), 90), ("c", (450, 46), 42)):
         x, y = at
         canvas.area((x, y + 14), (x + wide, y + 6), (x + wide * 0.5, y - 14), color="ray")
-        canvas.text((x + wide * 0.5, y + 3), f"${letter}$", color="ray", halo=False)
+        canvas.text((x + wide * (0.36 if letter == "a" else 0.62 if letter == "b" else 0.5), y + 4), f"${letter}$", color="ray", halo=False)
     row(65, "the cells")
     for y, words, numbers in ((140, "count", counts), (190, "add up: the ends", ends)):
         row(y, words)

@@ -41,5 +41,5 @@ def draw(canvas, _lesson):
         canvas.point(places[name], color=color, radius=9)
     for letter, (x, y) in leaves.items():
         canvas.box(x - 15, y - 16, 30, 32, letter, color="shape", filled=True)
-    canvas.text((430, 266), "listed in A and C: the black one")
+    canvas.text((430, 266), "the cut one: in A and C")
     canvas.text((430, 30), "the first plane", color="ray")
