@@ -44,7 +44,7 @@ def draw(canvas, _lesson):
     for number in range(3):
         left = 212 + number * 97
         canvas.box(left, cells_top, 96, 78, color="shape")
-        canvas.text((left + 12, cells_top + 62), str(number), "e", gap=0, color="quiet")
+        canvas.text((left + 86, cells_top + 64), str(number), "w", gap=0, color="quiet")
     for letter, at, wide in (("a", (258, 48), 92), ("b", (356, 74), 90), ("c", (450, 46), 42)):
         x, y = at
         canvas.area((x, y + 14), (x + wide, y + 6), (x + wide * 0.5, y - 14), color="ray")

@@ -18,7 +18,7 @@ SENTENCES = [
 LOWER, UPPER = (2.0, 1.0), (5.0, 3.0)
 
 
-MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 30)], 0.8)
+MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 27)], 0.8)
 FARTHEST = 5.9  # that is drawn
 
 
