@@ -31,7 +31,7 @@ class Drawings(unittest.TestCase):
 
     def test_no_file_is_without_its_description(self):
         for folder in {path.parent for path in descriptions(ROOT)}:
-            stray = {file.stem for file in folder.iterdir() if file.suffix != ".pyc"}
+            stray = {file.stem for file in folder.iterdir() if file.is_file()}
             self.assertEqual(stray, {path.stem for path in folder.glob("*.py")})
 
     def test_every_number_stands_in_the_lesson(self):
