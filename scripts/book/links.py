@@ -9,6 +9,7 @@ from pathlib import Path
 from .cut_code import exercises_in
 from .errors import BookError
 from .moving import moving_script
+from .words import GLOSSARY, words_of
 
 PICTURES = (".png", ".svg", ".jpg")
 SOURCE_PAGE = """<!doctype html>
@@ -59,6 +60,8 @@ class Links:
     def __init__(self, root, out, page_names, made, has_viewer=True):
         self.root, self.out, self.page_names, self.made = root, out, page_names, made
         self.has_viewer = has_viewer  # else figures stand still, and say so
+        glossary = root / GLOSSARY
+        self.words = words_of(glossary.read_text()) if glossary.exists() else []
         self.written = set()
 
     def target(self, page, place, target, is_picture):

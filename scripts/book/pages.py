@@ -2,14 +2,15 @@
 
 import re
 
-from .contents import page_names, parts, title_of
+from .contents import is_lesson, page_names, parts, title_of
 from .directives import carry_out
 from .errors import BookError
 from .links import Links
 from .markdown import change_targets, is_code, open_details, widen_lists
+from .words import GLOSSARY, link_words, with_anchors
 
 
-DRAWING = re.compile(r"^!\[([^\[\]]*)\]\((drawings/\w+\.svg)\)$")
+DRAWING = re.compile(r"^!\[([^\[\]]*)\]\(((?:[\w./]+/)?drawings/\w+\.svg)\)$")
 
 
 def _moving(line, path, links):
@@ -24,6 +25,8 @@ def _moving(line, path, links):
 def make_page(path, links):
     """The text of one page. A fault ends in BookError with FILE:LINE."""
     lines = (links.root / path).read_text().split("\n")
+    if path == GLOSSARY:
+        lines = with_anchors(lines)
     code = is_code(lines)
     made = []
     made_code = []
@@ -45,6 +48,8 @@ def make_page(path, links):
             open_details(line),
             lambda target, is_picture, place=place: links.target(path, place, target, is_picture)))
         made_code.append(False)
+    if is_lesson(path):
+        made = link_words(made, made_code, links.words)
     return "\n".join(widen_lists(made, made_code))
 
 

@@ -140,12 +140,11 @@ async function bringToLife(figure) {
     ariaLabel: picture.alt });
   leaveScrollingToThePage(canvas);
   picture.classList.add("only-printed");
-  picture.after(canvas);
+  const frame = make("div", { className: "walk-frame" }, canvas);
+  picture.after(frame);
   const scene = makeWalkScene(canvas, walk);
   figure.scene = scene;
-  const frame = make("div", { className: "walk-frame" });
-  canvas.replaceWith(frame);
-  frame.append(canvas, makeHandle(scene.turn));
+  frame.append(makeHandle(scene.turn));
   frame.after(...makeControls(canvas, walk, scene.show));
   new MutationObserver(scene.recolor).observe(document.body,
     { attributeFilter: ["data-md-color-scheme"] });
