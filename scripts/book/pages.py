@@ -44,10 +44,11 @@ def make_page(path, links):
             made += asked_for
             made_code += [True] * len(asked_for)
             continue
-        made.append(_moving(line, path, links) or change_targets(
+        text = _moving(line, path, links) or change_targets(
             open_details(line),
-            lambda target, is_picture, place=place: links.target(path, place, target, is_picture)))
-        made_code.append(False)
+            lambda target, is_picture, place=place: links.target(path, place, target, is_picture))
+        made += text.split("\n")
+        made_code += [False] * (len(made) - len(made_code))
     if is_lesson(path):
         made = link_words(made, made_code, links.words)
     return "\n".join(widen_lists(made, made_code))
