@@ -1,4 +1,4 @@
-"""Plans for a course, from docs/book/plans.toml: a row each, with the minutes that reading and writing take."""
+"""Plans for a course, from docs/book/plans.toml: an item for each sitting, with the minutes that reading and writing take."""
 
 import re
 import tomllib
@@ -8,7 +8,7 @@ from .contents import title_of
 from .errors import BookError
 
 PLANS = "docs/book/plans.toml"
-WORDS_A_MINUTE = 100  # of a text with formulas and drawings, read with a pencil in hand
+WORDS_A_MINUTE = 60  # of a text with formulas and drawings, read with a pencil in hand
 MINUTES_AN_EXERCISE = 20
 ROUNDED_TO = 5
 
@@ -42,16 +42,17 @@ def _reading(links, entry):
 
 
 def plan(name):
-    """The list of that plan."""
+    """The list of that plan, an item for each sitting or week."""
     def lines(links, _page):
-        made = ["| when | read | exercises | minutes | show in class | students can afterwards |",
-                "| --- | --- | --- | --- | --- | --- |"]
+        made = []
         for row in tomllib.loads((links.root / PLANS).read_text())[name]:
             pages = [_reading(links, entry) for entry in row["read"]]
             reading = _rounded(sum(minutes for _, minutes in pages))
             writing = MINUTES_AN_EXERCISE * len(row["exercises"])
-            made.append(f"| {row['when']} | {', '.join(link for link, _ in pages)} | {', '.join(row['exercises'])} "
-                        f"| {reading} + {writing} | {row['show']} | {row['afterwards']} |")
+            made += [f"-   **{row['when']}.** Read {', '.join(link for link, _ in pages)}: {reading} minutes. Exercises "
+                     f"{', '.join(row['exercises'])}: {writing} minutes.<br>",
+                     f"    *In class:* {row['show']}.<br>",
+                     f"    *Afterwards* students can {row['afterwards']}."]
         return made
     return lines
 
