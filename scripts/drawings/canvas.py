@@ -7,15 +7,23 @@ from drawings.palette import style
 from drawings.words import LINE_HEIGHT, SIZE, numbers, spans
 
 WIDTH = 560
-HEAD = 11        # of an arrow
-POINT = 4.5      # its radius
-GAP = 9          # between a point and its letter
+HEAD = 11  # of an arrow
+POINT = 4.5  # its radius
+GAP = 9  # between a point and its letter
 TICK = 5
 
 # Where words stand, seen from their point: how they are anchored, and where their middle is.
-SIDES = {"n": ("middle", 0, -1), "s": ("middle", 0, 1), "e": ("", 1, 0), "w": ("end", -1, 0),
-         "ne": ("", .7, -.8), "nw": ("end", -.7, -.8), "se": ("", .7, .8), "sw": ("end", -.7, .8),
-         "c": ("middle", 0, 0)}
+SIDES = {
+    "n": ("middle", 0, -1),
+    "s": ("middle", 0, 1),
+    "e": ("", 1, 0),
+    "w": ("end", -1, 0),
+    "ne": ("", 0.7, -0.8),
+    "nw": ("end", -0.7, -0.8),
+    "se": ("", 0.7, 0.8),
+    "sw": ("end", -0.7, 0.8),
+    "c": ("middle", 0, 0),
+}
 
 
 def _number(value):
@@ -58,8 +66,10 @@ class Canvas:
             self.line(*points, color=color, closed=True, dashed=dashed, width=width)
 
     def _head(self, tip, angle, color):
-        wings = [(tip[0] - HEAD * math.cos(angle + turn), tip[1] - HEAD * math.sin(angle + turn))
-                 for turn in (-0.38, 0.38)]
+        wings = [
+            (tip[0] - HEAD * math.cos(angle + turn), tip[1] - HEAD * math.sin(angle + turn))
+            for turn in (-0.38, 0.38)
+        ]
         self._add(f"<polygon points='{' '.join(map(_pair, [tip, *wings]))}' class='solid {color}'/>")
 
     def arrow(self, *points, color="ink", dashed=False, width="", both=False):
@@ -70,8 +80,7 @@ class Canvas:
         self.line(*points[:-1], end, color=color, dashed=dashed, width=width)
         self._head(tip, angle, color)
         if both:
-            self._head(points[0], math.atan2(points[0][1] - points[1][1], points[0][0] - points[1][0]),
-                       color)
+            self._head(points[0], math.atan2(points[0][1] - points[1][1], points[0][0] - points[1][0]), color)
 
     def bow(self, a, control, b, color="ink", dashed=False, width="", head=True):
         """A bent arrow; it leans towards the control point."""
@@ -83,17 +92,22 @@ class Canvas:
             self._head(b, angle, color)
 
     def circle(self, middle, radius, color="ink", filled=False, dashed=False, width="", hole=False):
-        kind = _kinds("line" if not filled else "area", color, width, "dashed" if dashed else "",
-                      "hole" if hole else "")
-        self._add(f"<circle cx='{_number(middle[0])}' cy='{_number(middle[1])}' r='{_number(radius)}' "
-                  f"class='{kind}'/>")
+        kind = _kinds(
+            "line" if not filled else "area", color, width, "dashed" if dashed else "", "hole" if hole else ""
+        )
+        self._add(
+            f"<circle cx='{_number(middle[0])}' cy='{_number(middle[1])}' r='{_number(radius)}' "
+            f"class='{kind}'/>"
+        )
 
     def point(self, place, letter="", side="ne", color="ink", hollow=False, radius=POINT):
         """A point, with its letter beside it."""
         kind = f"line hole {color}" if hollow else f"solid {color}"
         style_of_hole = " style='fill-opacity: 1'" if hollow else ""
-        self._add(f"<circle cx='{_number(place[0])}' cy='{_number(place[1])}' r='{_number(radius)}' "
-                  f"class='{kind}'{style_of_hole}/>")
+        self._add(
+            f"<circle cx='{_number(place[0])}' cy='{_number(place[1])}' r='{_number(radius)}' "
+            f"class='{kind}'{style_of_hole}/>"
+        )
         if letter:
             self.text(place, letter, side, color=color)
 
@@ -153,9 +167,11 @@ class Canvas:
             self.text(b, words, end_side, color=color)
 
     def _framed(self, inner):
-        return (f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {self.height}' width='{WIDTH}' "
-                f"height='{self.height}' class='drawing' role='img' aria-label='{escape(self.alt, quote=True)}'>\n"
-                f"{inner}\n</svg>\n")
+        return (
+            f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {self.height}' width='{WIDTH}' "
+            f"height='{self.height}' class='drawing' role='img' aria-label='{escape(self.alt, quote=True)}'>\n"
+            f"{inner}\n</svg>\n"
+        )
 
     def svg(self):
         """The drawing as the text of an SVG file."""

@@ -17,14 +17,14 @@ FOLDER = "chapters/*/drawings"
 
 @dataclass
 class Drawing:
-    path: Path        # of the description
+    path: Path  # of the description
     lesson: Lesson
     alt: str
     sentences: list
     svg: str
     numbers: list
-    moving_svg: str   # empty where nothing moves
-    moments: list     # the words of each
+    moving_svg: str  # empty where nothing moves
+    moments: list  # the words of each
 
     @property
     def file(self):
@@ -50,5 +50,13 @@ def make(path):
     words, values, still = getattr(description, "MOVES", ("", [], None))
     canvas = drawn(still) if values else drawn()
     moving = canvas.moving_svg([drawn(value) for value in values]) if values else ""
-    return Drawing(path, lesson, description.ALT, description.SENTENCES, canvas.svg(), canvas.numbers, moving,
-                   [words.format(f"{value:g}") for value in values])
+    return Drawing(
+        path,
+        lesson,
+        description.ALT,
+        description.SENTENCES,
+        canvas.svg(),
+        canvas.numbers,
+        moving,
+        [words.format(f"{value:g}") for value in values],
+    )

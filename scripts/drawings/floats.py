@@ -24,8 +24,10 @@ def product(a, b):
 
 def cross_product(a, b):
     """As shaders/core/vector.glsl writes it out."""
+
     def part(i, j):
         return rounded(product(a[i], b[j]) - product(a[j], b[i]))
+
     return (part(1, 2), part(2, 0), part(0, 1))
 
 

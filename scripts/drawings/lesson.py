@@ -26,11 +26,12 @@ class Lesson:
         return _flat(sentence) in _flat(self.text)
 
     def row(self, heading, first):
-        """The cells, as the drawing's own numbers, of the row that begins with `first`, in the table whose header is `heading`."""
+        """The cells of the row that begins with `first`, in the table whose header is `heading`: the drawing may
+        show their numbers."""
         lines = self.text.split("\n")
         if heading not in lines:
             raise LessonError(f"{self.path}: has no table with the header {heading!r}. Look at the drawing.")
-        for line in lines[lines.index(heading) + 2:]:
+        for line in lines[lines.index(heading) + 2 :]:
             if not line.startswith("|"):
                 break
             cells = [cell.strip() for cell in line.strip("|").split("|")]
@@ -43,6 +44,8 @@ class Lesson:
         """What is wrong between a drawing and its lesson: sentences, one for each fault."""
         faults = [f"does not say: {sentence}" for sentence in sentences if not self.has(sentence)]
         said = {number for sentence in [*sentences, *self.cells] for number in numbers(_flat(sentence))}
-        faults += [f"its drawing shows {number}, which stands in none of the sentences that it names"
-                   for number in sorted(set(shown) - said)]
+        faults += [
+            f"its drawing shows {number}, which stands in none of the sentences that it names"
+            for number in sorted(set(shown) - said)
+        ]
         return faults

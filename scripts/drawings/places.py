@@ -7,9 +7,10 @@ from dataclasses import dataclass
 @dataclass
 class Flat:
     """A plane seen from the front: (x, y) of the lesson, y upwards."""
-    left: float       # where x = 0 and y = 0 lie in the drawing
+
+    left: float  # where x = 0 and y = 0 lie in the drawing
     bottom: float
-    scale: float      # of one unit
+    scale: float  # of one unit
     scale_y: float = 0.0
 
     def __call__(self, x, y):
@@ -19,11 +20,12 @@ class Flat:
 @dataclass
 class Solid:
     """Space seen from far away: (x, y, z) of the lesson, y upwards. Degrees; at 0 and 0 one looks along -z."""
+
     left: float
     bottom: float
     scale: float
-    turned: float = 30.0   # to the right of z
-    raised: float = 20.0   # above the horizon
+    turned: float = 30.0  # to the right of z
+    raised: float = 20.0  # above the horizon
 
     def __call__(self, x, y, z):
         turn, rise = math.radians(self.turned), math.radians(self.raised)

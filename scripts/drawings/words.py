@@ -5,7 +5,7 @@
 import re
 from html import escape
 
-SIZE = 16         # of words, in a drawing that is 560 wide: 11.1 pixels on a phone
+SIZE = 16  # of words, in a drawing that is 560 wide: 11.1 pixels on a phone
 LINE_HEIGHT = 21
 PARTS = re.compile(r"([_^])(?:\{([^}]*)\}|(\S))|\*\*([^*]+)\*\*|([^_^*]+)")
 SHIFTS = {"_": 5, "^": -7}

@@ -2,11 +2,15 @@
 
 from drawings.places import Flat, between
 
-ALT = ("The plane after the shear: the triangle p, q, r surrounds the origin, so the three areas E(p, q), E(q, r) and E(r, p) "
-       "that its edges cut off with the origin have one sign; beside it a triangle that does not, where one area has the other "
-       "sign")
+ALT = (
+    "The plane after the shear: the triangle p, q, r surrounds the origin, so the three areas E(p, "
+    "q), E(q, r) and E(r, p) that its edges cut off with the origin have one sign; beside it a "
+    "triangle that does not, where one area has the other sign"
+)
 HEIGHT = 290
-SENTENCES = ["The origin is inside if all three"]
+SENTENCES = [
+    "The origin is inside if all three",
+]
 
 
 def area(p, q):
@@ -30,4 +34,6 @@ def draw(canvas, _lesson):
         for name, side in (("p", "sw"), ("q", "se"), ("r", "n")):
             canvas.text(at(*corners[name]), f"${name}$", side, gap=5)
         canvas.point(at(0, 0), color="ray", radius=6)
-        canvas.text((left + (0 if not shift else 40), 272), title, color="good" if not shift else "wrong", title=True)
+        canvas.text(
+            (left + (0 if not shift else 40), 272), title, color="good" if not shift else "wrong", title=True
+        )

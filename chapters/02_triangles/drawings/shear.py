@@ -2,13 +2,18 @@
 
 from drawings.places import Flat
 
-ALT = ("Seen from the side, in x and z: the ray leans; the shear pushes each corner aside in proportion to its height z, and "
-       "then the ray is the z axis; a corner that two triangles share moves once")
+ALT = (
+    "Seen from the side, in x and z: the ray leans; the shear pushes each corner aside in "
+    "proportion to its height z, and then the ray is the z axis; a corner that two triangles share "
+    "moves once"
+)
 HEIGHT = 300
-SENTENCES = ["Move the ray's origin to 0 and shear space so that the ray becomes the z axis."]
+SENTENCES = [
+    "Move the ray's origin to 0 and shear space so that the ray becomes the z axis.",
+]
 
-LEAN = 0.38                                       # d_x / d_z
-CORNERS = {"p": (0.45, 3.4), "q": (2.15, 2.3)}    # x and z
+LEAN = 0.38  # d_x / d_z
+CORNERS = {"p": (0.45, 3.4), "q": (2.15, 2.3)}  # x and z
 OTHERS = ((-0.55, 2.0), (3.3, 3.9))
 
 
@@ -16,7 +21,12 @@ def draw(canvas, _lesson):
     before, after = Flat(80, 262, 52), Flat(375, 262, 52)
     for at, lean, title in ((before, 0.0, "before"), (after, LEAN, "sheared")):
         for height in (1, 2, 3, 4):
-            canvas.line(at(-0.9 if lean == 0 else -1.6, height), at(3.4 if lean == 0 else 2.7, height), color="rule", width="thin")
+            canvas.line(
+                at(-0.9 if lean == 0 else -1.6, height),
+                at(3.4 if lean == 0 else 2.7, height),
+                color="rule",
+                width="thin",
+            )
 
         def moved(corner, lean=lean, at=at):
             return at(corner[0] - lean * corner[1], corner[1])
@@ -32,7 +42,12 @@ def draw(canvas, _lesson):
         canvas.arrow(at(0, 0), top, color="ray", width="thick")
         if lean == 0:
             for name, corner in CORNERS.items():
-                canvas.arrow(moved(corner), (moved(corner)[0] - LEAN * corner[1] * 52, moved(corner)[1]), color="quiet", dashed=True)
+                canvas.arrow(
+                    moved(corner),
+                    (moved(corner)[0] - LEAN * corner[1] * 52, moved(corner)[1]),
+                    color="quiet",
+                    dashed=True,
+                )
         canvas.point(p, "$p$", "n" if lean else "ne")
         canvas.point(q, "$q$", "se")
         canvas.point(at(0, 0), "$o$" if lean == 0 else "$0$", "w", color="ray")

@@ -1,18 +1,23 @@
-"""A ray that Moeller-Trumbore loses between two triangles, computed here in floats, and what the sheared areas say."""
+"""A ray that Moeller-Trumbore loses between two triangles, computed in floats, and what the sheared areas say."""
 
 import math
 
 from drawings.floats import cross_product, difference, dot_product, product, rounded
 from drawings.places import Flat, beside
 
-ALT = ("Two triangles with the common edge p q, seen along a ray that meets the edge. By Moeller-Trumbore each finds "
-       "u + v = 1 + 2^-23, so neither is hit, and the ray slips through. By the sheared areas the one finds E(p, q) = 2^-24, "
-       "the other E(q, p) = -2^-24, and one of them is hit")
+ALT = (
+    "Two triangles with the common edge p q, seen along a ray that meets the edge. By "
+    "Moeller-Trumbore each finds u + v = 1 + 2^-23, so neither is hit, and the ray slips through. "
+    "By the sheared areas the one finds E(p, q) = 2^-24, the other E(q, p) = -2^-24, and one of "
+    "them is hit"
+)
 HEIGHT = 354
-SENTENCES = ["A ray from 0 at a point of it, 0.4 of the way from p = (0, 1, 5) to q = (1, -2, 3): both triangles find "
-             "u + v = 1 + 2^{-23}, which is over 1.",
-             "In the drawing E(p, q) = 2^{-24} for the one and E(q, p) = -2^{-24} for the other: only for the other, all three "
-             "signs are equal."]
+SENTENCES = [
+    "A ray from 0 at a point of it, 0.4 of the way from p = (0, 1, 5) to q = (1, -2, 3): both "
+    "triangles find u + v = 1 + 2^{-23}, which is over 1.",
+    "In the drawing E(p, q) = 2^{-24} for the one and E(q, p) = -2^{-24} for the other: only for "
+    "the other, all three signs are equal.",
+]
 
 P, Q, LEFT, RIGHT = (0.0, 1.0, 5.0), (1.0, -2.0, 3.0), (-2.0, -1.0, 4.0), (2.0, 1.0, 4.0)
 PART = 0.4
@@ -44,16 +49,18 @@ def area(p, q):
 def power_of_two(x):
     """2^{-24} for that number, where it is a power of two or minus one."""
     power = round(math.log2(abs(x)))
-    assert abs(x) == 2.0 ** power, x
+    assert abs(x) == 2.0**power, x
     return f"${'-' if x < 0 else ''}2^{{{power}}}$"
 
 
 def draw(canvas, _lesson):
     for corners in ((LEFT, P, Q), (RIGHT, Q, P)):
         u, v = moeller_trumbore(*corners)
-        assert rounded(u + v) == 1.0 + 2.0 ** -23
+        assert rounded(u + v) == 1.0 + 2.0**-23
     p, q, left, right = map(sheared, (P, Q, LEFT, RIGHT))
-    assert not max(area(left, p), area(p, q), area(q, left)) <= 0 < max(area(right, q), area(q, p), area(p, right))
+    assert (
+        not max(area(left, p), area(p, q), area(q, left)) <= 0 < max(area(right, q), area(q, p), area(p, right))
+    )
 
     for at, gap in ((Flat(165, 150, 56), 7), (Flat(440, 150, 56), 0)):
         for third, ends, color, side in ((left, (p, q), "shape", 1), (right, (p, q), "good", -1)):

@@ -2,11 +2,17 @@
 
 from drawings.places import between
 
-ALT = ("A triangle a, b, c that a ray from o meets: from a, half of the edge e1 and then a quarter of the edge e2 lead to "
-       "the hit, so u = 0.5 and v = 0.25; u is 0 on the side a c, v on a b, and u + v is 1 on b c")
+ALT = (
+    "A triangle a, b, c that a ray from o meets: from a, half of the edge e1 and then a quarter of "
+    "the edge e2 lead to the hit, so u = 0.5 and v = 0.25; u is 0 on the side a c, v on a b, and u "
+    "+ v is 1 on b c"
+)
 HEIGHT = 340
-SENTENCES = ["In the drawing u = 0.5 and v = 0.25: half of e_1 and a quarter of e_2 lead from a to the hit, and a itself weighs "
-             "0.25.", "The ray hits the triangle if u \\ge 0, v \\ge 0, u + v \\le 1"]
+SENTENCES = [
+    "In the drawing u = 0.5 and v = 0.25: half of e_1 and a quarter of e_2 lead from a to the hit, "
+    "and a itself weighs 0.25.",
+    "The ray hits the triangle if u \\ge 0, v \\ge 0, u + v \\le 1",
+]
 
 A, B, C = (110, 285), (480, 252), (205, 58)
 U, V = 0.5, 0.25

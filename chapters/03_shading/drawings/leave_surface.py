@@ -2,13 +2,18 @@
 
 from drawings.places import Flat
 
-ALT = ("Left: a hit point that rounding put 21 eM behind its triangle; the ray that leaves it meets that triangle at once, "
-       "which is acne. Right, to scale: within 52 eM of the point the test may see the surface; an origin moved by 64 eM "
-       "along the normal is outside of that ball")
+ALT = (
+    "Left: a hit point that rounding put 21 eM behind its triangle; the ray that leaves it meets "
+    "that triangle at once, which is acne. Right, to scale: within 52 eM of the point the test may "
+    "see the surface; an origin moved by 64 eM along the normal is outside of that ball"
+)
 HEIGHT = 430
-SENTENCES = [r"$\sqrt3 \cdot 12\,eM < 21\,eM$", r"$31\,eM$ along the normal. Together that is $52\,eM$.",
-             r"moves by $64\,eM$ along the normal of the triangle's plane",
-             r"so $64 - 52 = 12$ of them are to spare"]
+SENTENCES = [
+    "$\\sqrt3 \\cdot 12\\,eM < 21\\,eM$",
+    "$31\\,eM$ along the normal. Together that is $52\\,eM$.",
+    "moves by $64\\,eM$ along the normal of the triangle's plane",
+    "so $64 - 52 = 12$ of them are to spare",
+]
 
 POINT, TEST = 21, 31
 BALL = POINT + TEST
@@ -19,7 +24,9 @@ def draw(canvas, _lesson, moved):
     scale = 2.35
     left, right = Flat(132, 214, scale), Flat(376, 214, scale)
     for at, near, far in ((left, -46, 34), (right, -56, 60)):
-        canvas.area(at(near, POINT), at(far, POINT), at(far, -POINT), at(near, -POINT), color="quiet", outlined=False)
+        canvas.area(
+            at(near, POINT), at(far, POINT), at(far, -POINT), at(near, -POINT), color="quiet", outlined=False
+        )
         canvas.line(at(near, 0), at(far, 0), color="shape", width="thick")
         canvas.line(at(0, 0), at(0, -POINT), color="quiet", dashed=True, width="thin")
 

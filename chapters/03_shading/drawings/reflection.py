@@ -2,10 +2,15 @@
 
 from drawings.places import Flat
 
-ALT = ("A ray with the direction d meets a mirror with the normal N. Its part along N is (N d) N: taken away once it leaves a "
-       "direction within the plane, taken away twice the mirrored direction r")
+ALT = (
+    "A ray with the direction d meets a mirror with the normal N. Its part along N is (N d) N: "
+    "taken away once it leaves a direction within the plane, taken away twice the mirrored "
+    "direction r"
+)
 HEIGHT = 280
-SENTENCES = ["$$r = d - 2\\,(N \\cdot d)\\,N$$"]
+SENTENCES = [
+    "$$r = d - 2\\,(N \\cdot d)\\,N$$",
+]
 
 D, N = (1.7, -1.15), (0.0, 1.0)
 

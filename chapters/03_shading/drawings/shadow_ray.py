@@ -2,10 +2,16 @@
 
 from drawings.places import Flat, between
 
-ALT = ("A shadow ray from a point on the floor, at t = 0, to a lamp, at t = 1: it ends a little before the lamp, so neither a "
-       "lampshade in which the lamp lies nor what stands behind the lamp counts; on the back of the floor the ray is empty")
+ALT = (
+    "A shadow ray from a point on the floor, at t = 0, to a lamp, at t = 1: it ends a little "
+    "before the lamp, so neither a lampshade in which the lamp lies nor what stands behind the "
+    "lamp counts; on the back of the floor the ray is empty"
+)
 HEIGHT = 292
-SENTENCES = ["not normalised, so that $t = 0$ is the point and $t = 1$ the lamp.", "It ends at $1 - 2^{-16}$."]
+SENTENCES = [
+    "not normalised, so that $t = 0$ is the point and $t = 1$ the lamp.",
+    "It ends at $1 - 2^{-16}$.",
+]
 
 
 def draw(canvas, _lesson):
@@ -27,5 +33,10 @@ def draw(canvas, _lesson):
     canvas.circle(blocker, 24, color="shape")
     canvas.text((blocker[0] - 20, blocker[1] - 20), "any hit will do", "nw", color="shape", gap=4)
     behind = between(point, lamp, 1.3)
-    canvas.area((behind[0] - 14, behind[1] - 22), (behind[0] + 20, behind[1] - 10), (behind[0] + 8, behind[1] + 26), color="quiet")
+    canvas.area(
+        (behind[0] - 14, behind[1] - 22),
+        (behind[0] + 20, behind[1] - 10),
+        (behind[0] + 8, behind[1] + 26),
+        color="quiet",
+    )
     canvas.text((behind[0] + 24, behind[1]), "behind it:\nno shadow", "e", color="quiet", gap=6)

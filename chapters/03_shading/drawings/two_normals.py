@@ -1,17 +1,22 @@
-"""A coarse ball from the side: its planes and their normals, and those of its look, which turn from corner to corner."""
+"""A coarse ball from the side: the normals of its planes, and those of its look, which turn from corner to corner."""
 
 import math
 
 from drawings.places import between
 
-ALT = ("A coarse ball from the side, five flat pieces of a circle. Each piece has one normal of its plane; the interpolated "
-       "normals turn from corner to corner. Light comes from the left. On the fourth piece an interpolated normal still faces it, "
-       "but the plane does not, and the piece is dark")
+ALT = (
+    "A coarse ball from the side, five flat pieces of a circle. Each piece has one normal of its "
+    "plane; the interpolated normals turn from corner to corner. Light comes from the left. On the "
+    "fourth piece an interpolated normal still faces it, but the plane does not, and the piece is "
+    "dark"
+)
 HEIGHT = 270
-SENTENCES = ["The interpolated normal says how the surface"]
+SENTENCES = [
+    "The interpolated normal says how the surface",
+]
 
-LAMP = 163               # the direction to it, in degrees against the clock from the right
-FIRST, TURN = 135, -18   # of the corners
+LAMP = 163  # the direction to it, in degrees against the clock from the right
+FIRST, TURN = 135, -18  # of the corners
 PIECES = 5
 
 
@@ -23,7 +28,10 @@ def draw(canvas, _lesson):
     middle, radius = (280, 442), 330
 
     def out(place, degrees, length):
-        return (place[0] + length * math.cos(math.radians(degrees)), place[1] - length * math.sin(math.radians(degrees)))
+        return (
+            place[0] + length * math.cos(math.radians(degrees)),
+            place[1] - length * math.sin(math.radians(degrees)),
+        )
 
     canvas.line(*(out(middle, a, radius) for a in range(44, 137, 3)), color="rule", dashed=True)
     corners = [out(middle, FIRST + TURN * i, radius) for i in range(PIECES + 1)]

@@ -1,21 +1,28 @@
 """The passes of one bounce, each in a row, and the textures that it reads and writes, each in a column."""
 
-ALT = ("The passes of one bounce as rows and the textures as columns: trace reads rays A and writes hits; add_surroundings and "
-       "add_light add to the color; both retire passes write the mask; cast_shadow_rays and a second trace make shadow rays "
-       "and shadow hits; reflect reads rays and weights A and writes B, and the next bounce reads B and writes A")
+ALT = (
+    "The passes of one bounce as rows and the textures as columns: trace reads rays A and writes "
+    "hits; add_surroundings and add_light add to the color; both retire passes write the mask; "
+    "cast_shadow_rays and a second trace make shadow rays and shadow hits; reflect reads rays and "
+    "weights A and writes B, and the next bounce reads B and writes A"
+)
 HEIGHT = 476
-SENTENCES = ["Reflect reads one set of rays and weights and writes the other"]
+SENTENCES = [
+    "Reflect reads one set of rays and weights and writes the other",
+]
 
 TEXTURES = {"A": 208, "B": 252, "hits": 302, "shadow rays": 358, "shadow hits": 412, "color": 468, "mask": 524}
 # The pass, what it reads, what it writes, what it adds to (common/render/whitted_renderer.cpp).
-PASSES = (("trace", ["A"], ["hits"], []),
-          ("add_surroundings", ["A", "hits"], [], ["color"]),
-          ("retire misses", ["hits"], ["mask"], []),
-          ("cast_shadow_rays", ["A", "hits"], ["shadow rays"], []),
-          ("trace", ["shadow rays"], ["shadow hits"], []),
-          ("add_light", ["A", "hits", "shadow hits"], [], ["color"]),
-          ("retire unmirrored", ["hits"], ["mask"], []),
-          ("reflect", ["A", "hits"], ["B"], []))
+PASSES = (
+    ("trace", ["A"], ["hits"], []),
+    ("add_surroundings", ["A", "hits"], [], ["color"]),
+    ("retire misses", ["hits"], ["mask"], []),
+    ("cast_shadow_rays", ["A", "hits"], ["shadow rays"], []),
+    ("trace", ["shadow rays"], ["shadow hits"], []),
+    ("add_light", ["A", "hits", "shadow hits"], [], ["color"]),
+    ("retire unmirrored", ["hits"], ["mask"], []),
+    ("reflect", ["A", "hits"], ["B"], []),
+)
 TOP, ROW, LAMPS = 104, 38, 24
 
 

@@ -2,11 +2,16 @@
 
 from drawings.places import Flat
 
-ALT = ("A ray low above a floor, in a row of five cells seen from the side. The floor is listed in the first cell, but the ray "
-       "meets it only in the last; a ball stands in between, and the ray meets it first. A walk that ends at the first report "
-       "of a hit shows the floor through the ball")
+ALT = (
+    "A ray low above a floor, in a row of five cells seen from the side. The floor is listed in "
+    "the first cell, but the ray meets it only in the last; a ball stands in between, and the ray "
+    "meets it first. A walk that ends at the first report of a hit shows the floor through the ball"
+)
 HEIGHT = 276
-SENTENCES = ["a ray comes into a cell low above the floor, the floor is listed there and hit far behind, and the walk ends"]
+SENTENCES = [
+    "a ray comes into a cell low above the floor, the floor is listed there and hit far behind, "
+    "and the walk ends",
+]
 
 START, SLOPE, FLOOR = 0.78, -0.135, 0.16
 BALL, RADIUS = (2.75, 0.46), 0.3
@@ -20,8 +25,8 @@ def draw(canvas, _lesson):
 
     meets = (FLOOR - START) / SLOPE
     # Where the ray meets the ball: a quadratic equation in x.
-    a, b = 1 + SLOPE ** 2, -BALL[0] + SLOPE * (START - BALL[1])
-    c = BALL[0] ** 2 + (START - BALL[1]) ** 2 - RADIUS ** 2
+    a, b = 1 + SLOPE**2, -BALL[0] + SLOPE * (START - BALL[1])
+    c = BALL[0] ** 2 + (START - BALL[1]) ** 2 - RADIUS**2
     in_front = (-b - (b * b - a * c) ** 0.5) / a
     canvas.area(at(0, 0), at(1, 0), at(1, 1), at(0, 1), color="ray", outlined=False)
     for x in range(6):

@@ -2,12 +2,16 @@
 
 from drawings.places import Flat, between
 
-ALT = ("A ray in a grid of 4 x 3 cells. In cell (1, 0) its next crossings are at t = 2 on x, 1.5 on y and 5 on z: the least "
-       "says that it leaves upwards, into cell (1, 1). Below, the three ends of a walk: a hit before the crossing, the ray's "
-       "own end before it, and no cell behind it")
+ALT = (
+    "A ray in a grid of 4 x 3 cells. In cell (1, 0) its next crossings are at t = 2 on x, 1.5 on y "
+    "and 5 on z: the least says that it leaves upwards, into cell (1, 1). Below, the three ends of "
+    "a walk: a hit before the crossing, the ray's own end before it, and no cell behind it"
+)
 HEIGHT = 470
-SENTENCES = ["In the drawing the ray is in cell (1, 0). It crosses the next plane of x at t = 2, that of y at t = 1.5 and that of "
-             "z, which lies behind the page, at t = 5."]
+SENTENCES = [
+    "In the drawing the ray is in cell (1, 0). It crosses the next plane of x at t = 2, that of y "
+    "at t = 1.5 and that of z, which lies behind the page, at t = 5.",
+]
 
 ORIGIN, DIRECTION = (0.0, 0.25, 0.5), (1.0, 0.5, 0.1)
 CELLS = (4, 3, 1)
@@ -62,7 +66,9 @@ def draw(canvas, _lesson, steps):
     words = "the end" if is_last else f"go {('right', 'up')[first]}"
     canvas.text((482, 92 + 28 * first), words, "e", gap=0, color=("shape", "good")[first])
     canvas.line((8, 300), (552, 300), color="rule")
-    for number, words in enumerate(("a hit before\nthe crossing", "$t_{max}$ before\nthe crossing", "no cell\nbehind it")):
+    for number, words in enumerate(
+        ("a hit before\nthe crossing", "$t_{max}$ before\nthe crossing", "no cell\nbehind it")
+    ):
         small = Flat(62 + 184 * number, 404, 76)
         a, b = small(-0.35, 0.2), small(1.0, 0.62)
         canvas.area(small(0, 0), small(1, 0), small(1, 1), small(0, 1), color="ray", outlined=False)

@@ -2,14 +2,22 @@
 
 from drawings.places import Flat
 
-ALT = ("Four cells and a ray that comes through three of them, first lower left, then lower right, then upper right. Triangle a "
-       "lies in all three and is tested once, for in the second and third cell the neighbour behind the face of entry lists it. "
-       "Triangle b lies in the first and the third cell but not in the second, and is tested twice")
+ALT = (
+    "Four cells and a ray that comes through three of them, first lower left, then lower right, "
+    "then upper right. Triangle a lies in all three and is tested once, for in the second and "
+    "third cell the neighbour behind the face of entry lists it. Triangle b lies in the first and "
+    "the third cell but not in the second, and is tested twice"
+)
 HEIGHT = 330
-SENTENCES = ["It overlooks a triangle that is listed in a cell, not in the next, but again in the one after."]
+SENTENCES = [
+    "It overlooks a triangle that is listed in a cell, not in the next, but again in the one after.",
+]
 
-TRIANGLES = {"a": ((0.35, 0.12), (1.75, 0.5), (1.9, 1.45)), "b": ((0.3, 0.7), (1.45, 1.6), (0.45, 1.75)),
-             "c": ((1.55, 1.62), (1.9, 1.6), (1.8, 1.9))}
+TRIANGLES = {
+    "a": ((0.35, 0.12), (1.75, 0.5), (1.9, 1.45)),
+    "b": ((0.3, 0.7), (1.45, 1.6), (0.45, 1.75)),
+    "c": ((1.55, 1.62), (1.9, 1.6), (1.8, 1.9)),
+}
 WAY = ((0, 0), (1, 0), (1, 1))
 COLORS = {"a": "shape", "b": "good", "c": "quiet"}
 
@@ -56,7 +64,13 @@ def draw(canvas, _lesson):
                 continue
             skipped = before is not None and is_listed(corners, before)
             words = "passed over" if skipped else ("tested again" if name in seen else "tested")
-            canvas.text((430, y + 25 * row), f"${name}$  {words}", "e", gap=0, color="wrong" if words == "tested again" else COLORS[name])
+            canvas.text(
+                (430, y + 25 * row),
+                f"${name}$  {words}",
+                "e",
+                gap=0,
+                color="wrong" if words == "tested again" else COLORS[name],
+            )
             seen.add(name)
             row += 1
         before = cell

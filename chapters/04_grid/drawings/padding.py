@@ -2,12 +2,18 @@
 
 from drawings.places import Flat
 
-ALT = ("To scale: a triangle lies just behind a plane of the grid. Its computed hit may lie 23 eM from it, and the plane's crossing "
-       "be 2 eM off, together 25 eM: so the hit seems to lie in the cell before the plane. The cell grown by 32 eM reaches the "
-       "triangle, and lists it")
+ALT = (
+    "To scale: a triangle lies just behind a plane of the grid. Its computed hit may lie 23 eM "
+    "from it, and the plane's crossing be 2 eM off, together 25 eM: so the hit seems to lie in the "
+    "cell before the plane. The cell grown by 32 eM reaches the triangle, and lists it"
+)
 HEIGHT = 300
-SENTENCES = ["| a hit of the watertight test lies from its triangle at most | $23\\,eM$ |", "| together | $25\\,eM$ |",
-             "| the crossing of a plane is rounded twice | $2\\,eM$ |", "$32\\,eM$"]
+SENTENCES = [
+    "| a hit of the watertight test lies from its triangle at most | $23\\,eM$ |",
+    "| together | $25\\,eM$ |",
+    "| the crossing of a plane is rounded twice | $2\\,eM$ |",
+    "$32\\,eM$",
+]
 
 HIT, PLANE, PADDING = 23, 2, 32
 
@@ -33,4 +39,10 @@ def draw(canvas, _lesson):
     canvas.text((plane, 22), "plane", color="shape")
     canvas.measure((hit, 84), (hit + HIT * 7, 84), f"{HIT} $eM$", "n", color="ray")
     canvas.measure((plane, 256), (grown, 256), f"{PADDING} $eM$: padding", "s", color="good")
-    canvas.text((grown + 12, 80), f"it is off by\nat most\n{HIT} + {PLANE} = {HIT + PLANE} $eM$", "e", color="ray", gap=0)
+    canvas.text(
+        (grown + 12, 80),
+        f"it is off by\nat most\n{HIT} + {PLANE} = {HIT + PLANE} $eM$",
+        "e",
+        color="ray",
+        gap=0,
+    )

@@ -1,12 +1,17 @@
 """How the two arrays of a grid are made: count, add up, fill from the end, sort."""
 
-ALT = ("Three cells and the triangles a, b, c in them: cell 0 has a, cell 1 has a and b, cell 2 has b and c. Counted they have 1, "
-       "2, 2 references; added up 1, 3, 5, where the lists end; each reference goes before the last one of its cell, and the "
-       "ends move down to 0, 1, 3, where the lists start")
+ALT = (
+    "Three cells and the triangles a, b, c in them: cell 0 has a, cell 1 has a and b, cell 2 has b "
+    "and c. Counted they have 1, 2, 2 references; added up 1, 3, 5, where the lists end; each "
+    "reference goes before the last one of its cell, and the ends move down to 0, 1, 3, where the "
+    "lists start"
+)
 HEIGHT = 470
-SENTENCES = ["In the drawing cells 0, 1 and 2 hold 1, 2 and 2 references. The lists end before 1, 3 and 5; each reference moves its "
-             "end down by one, and when all five are in, the same three numbers are 0, 1 and 3: the starts. A fourth, 5, ends the "
-             "last list."]
+SENTENCES = [
+    "In the drawing cells 0, 1 and 2 hold 1, 2 and 2 references. The lists end before 1, 3 and 5; "
+    "each reference moves its end down by one, and when all five are in, the same three numbers "
+    "are 0, 1 and 3: the starts. A fourth, 5, ends the last list.",
+]
 
 CELLS = (("a",), ("a", "b"), ("b", "c"))
 TRIANGLES = "abc"
@@ -16,7 +21,7 @@ LEFT, STEP, WIDE = 212, 58, 58
 def build():
     """The counts, the ends, the array after filling, and the ends then, as build_grid.cpp makes them."""
     counts = [len(cell) for cell in CELLS]
-    ends = [sum(counts[:i + 1]) for i in range(len(counts))]
+    ends = [sum(counts[: i + 1]) for i in range(len(counts))]
     moved, references = list(ends), [""] * sum(counts)
     for triangle in TRIANGLES:
         for number, cell in enumerate(CELLS):
@@ -39,11 +44,11 @@ def draw(canvas, _lesson):
     for number in range(3):
         left = 212 + number * 97
         canvas.box(left, cells_top, 96, 78, color="shape")
-        canvas.text((left + 12, cells_top + 62), str(number), "e", gap=0, color="quiet")
+        canvas.text((left + 86, cells_top + 64), str(number), "w", gap=0, color="quiet")
     for letter, at, wide in (("a", (258, 48), 92), ("b", (356, 74), 90), ("c", (450, 46), 42)):
         x, y = at
         canvas.area((x, y + 14), (x + wide, y + 6), (x + wide * 0.5, y - 14), color="ray")
-        canvas.text((x + wide * 0.5, y + 3), f"${letter}$", color="ray", halo=False)
+        canvas.text((x + wide * (0.36 if letter == "a" else 0.62 if letter == "b" else 0.5), y + 4), f"${letter}$", color="ray", halo=False)
     row(65, "the cells")
     for y, words, numbers in ((140, "count", counts), (190, "add up: the ends", ends)):
         row(y, words)
@@ -57,7 +62,12 @@ def draw(canvas, _lesson):
     for number, (start, end) in enumerate(zip(starts, ends)):
         color = ("shape", "good", "wrong")[number]
         canvas.line((middle(start) + 2, top - 8), (middle(end) - 2, top - 8), color=color, width="thick")
-        canvas.bow((middle(end) - 6, top - 16), ((middle(start) + middle(end)) / 2, top - 52), (middle(start) + 6, top - 14), color=color)
+        canvas.bow(
+            (middle(end) - 6, top - 16),
+            ((middle(start) + middle(end)) / 2, top - 52),
+            (middle(start) + 6, top - 14),
+            color=color,
+        )
     row(372, "the ends, now starts")
     for number, start in enumerate([*starts, len(references)]):
         x = middle(start)

@@ -2,10 +2,15 @@
 
 from drawings.places import Flat
 
-ALT = ("A slanted triangle that a plane cuts. Without clipping each child takes the whole bounds of the triangle up to the plane; "
-       "clipped, each child takes the bounds of its own part, which are much lower. What is saved is empty space")
+ALT = (
+    "A slanted triangle that a plane cuts. Without clipping each child takes the whole bounds of "
+    "the triangle up to the plane; clipped, each child takes the bounds of its own part, which are "
+    "much lower. What is saved is empty space"
+)
 HEIGHT = 250
-SENTENCES = ["Of a triangle that the plane cuts, each child needs only the part in its own box."]
+SENTENCES = [
+    "Of a triangle that the plane cuts, each child needs only the part in its own box.",
+]
 
 TRIANGLE = ((0.1, 0.15), (3.9, 2.0), (3.5, 2.35))
 PLANE = 2.0

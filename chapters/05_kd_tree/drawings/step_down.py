@@ -2,11 +2,16 @@
 
 from drawings.places import Flat, between
 
-ALT = ("A ray in a node that a plane cuts, in three cases. The plane lies before t: only the second child. It lies between t and "
-       "the exit: the first child now, the second one later, and the exit becomes t of the plane. It lies behind the exit: only "
-       "the first child")
+ALT = (
+    "A ray in a node that a plane cuts, in three cases. The plane lies before t: only the second "
+    "child. It lies between t and the exit: the first child now, the second one later, and the "
+    "exit becomes t of the plane. It lies behind the exit: only the first child"
+)
 HEIGHT = 240
-SENTENCES = ["**If $t_{split} \\le t$, go to the second child.**", "If $t_{split}$ is before `exit`, the second child comes later"]
+SENTENCES = [
+    "**If $t_{split} \\le t$, go to the second child.**",
+    "If $t_{split}$ is before `exit`, the second child comes later",
+]
 
 
 def draw(canvas, _lesson):
@@ -18,8 +23,14 @@ def draw(canvas, _lesson):
         first = number > 0
         for left, right, is_taken in ((0, plane, first), (plane, wide, number < 2)):
             if is_taken:
-                canvas.area(at(left, 0), at(right, 0), at(right, high), at(left, high),
-                            color="ray" if not (number == 1 and left) else "good", outlined=False)
+                canvas.area(
+                    at(left, 0),
+                    at(right, 0),
+                    at(right, high),
+                    at(left, high),
+                    color="ray" if not (number == 1 and left) else "good",
+                    outlined=False,
+                )
         canvas.line(at(0, 0), at(wide, 0), at(wide, high), at(0, high), color="shape", closed=True)
         canvas.line(at(plane, -0.05), at(plane, high + 0.05), color="shape", width="thick")
         canvas.line(at(start[0] - 0.26, start[1] - 0.1625), at(*start), color="ray", dashed=True)

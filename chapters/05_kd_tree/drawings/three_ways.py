@@ -2,12 +2,16 @@
 
 from drawings.places import Flat, before
 
-ALT = ("Above, a box cut into five leaves that a ray crosses in the order A, B, C, D, E. Below, three times its tree with the "
-       "way from leaf A to leaf B: restart goes down from the root over 4 nodes, backtrack climbs one and goes down again, "
-       "3 nodes, a rope leads there at once, 1 node")
+ALT = (
+    "Above, a box cut into five leaves that a ray crosses in the order A, B, C, D, E. Below, three "
+    "times its tree with the way from leaf A to leaf B: restart goes down from the root over 4 "
+    "nodes, backtrack climbs one and goes down again, 3 nodes, a rope leads there at once, 1 node"
+)
 HEIGHT = 538
-SENTENCES = ["From A to B in the drawing restart visits 4 nodes, backtrack 3 (up to the node above, which it looks at again to go "
-             "down), and a rope leads to 1."]
+SENTENCES = [
+    "From A to B in the drawing restart visits 4 nodes, backtrack 3 (up to the node above, which "
+    "it looks at again to go down), and a rope leads to 1.",
+]
 
 # A node is a leaf's letter, or (axis, split, lower, upper).
 TREE = (0, 4.0, (1, 2.0, (0, 2.0, "A", "B"), "C"), (0, 6.0, "D", "E"))
@@ -71,10 +75,22 @@ def draw(canvas, _lesson):
     canvas.arrow(*on_ray, color="ray", width="thick")
 
     here, restart, backtrack, rope = ways()
-    names = ((f"restart: {len(restart)} nodes", restart), (f"backtrack: {len(backtrack)} nodes", backtrack),
-             (f"rope: {len(rope)} node", rope))
-    places = {"": (5.4, 3), "l": (3.2, 2), "u": (7.4, 2), "ll": (1.9, 1), "lu": (4.4, 1), "ul": (6.6, 1), "uu": (8.2, 1),
-              "lll": (1.0, 0), "llu": (2.9, 0)}
+    names = (
+        (f"restart: {len(restart)} nodes", restart),
+        (f"backtrack: {len(backtrack)} nodes", backtrack),
+        (f"rope: {len(rope)} node", rope),
+    )
+    places = {
+        "": (5.4, 3),
+        "l": (3.2, 2),
+        "u": (7.4, 2),
+        "ll": (1.9, 1),
+        "lu": (4.4, 1),
+        "ul": (6.6, 1),
+        "uu": (8.2, 1),
+        "lll": (1.0, 0),
+        "llu": (2.9, 0),
+    }
     letters = {path: node if isinstance(node, str) else "" for path, node, _, _ in nodes()}
     for number, (title, way) in enumerate(names):
         tree = Flat(2 + 180 * number, 478, 21, 66)
@@ -91,7 +107,13 @@ def draw(canvas, _lesson):
             canvas.arrow(place[up], before(place[up], place[down], 15), color="ray", width="thick")
         else:
             a, b = place[here], place[way[-1]]
-            canvas.bow((a[0] + 6, a[1] + 12), ((a[0] + b[0]) / 2, a[1] + 44), (b[0] - 5, b[1] + 13), color="ray", width="thick")
+            canvas.bow(
+                (a[0] + 6, a[1] + 12),
+                ((a[0] + b[0]) / 2, a[1] + 44),
+                (b[0] - 5, b[1] + 13),
+                color="ray",
+                width="thick",
+            )
         for path, letter in letters.items():
             if letter:
                 x, y = place[path]

@@ -2,18 +2,33 @@
 
 from drawings.places import Flat
 
-ALT = ("Twelve boxes, each in one of eight bins by its centre, and the cost of the seven cuts between bins as bars. The least, "
-       "10.8, parts them into eight and four; a leaf would cost 18")
+ALT = (
+    "Twelve boxes, each in one of eight bins by its centre, and the cost of the seven cuts between "
+    "bins as bars. The least, 10.8, parts them into eight and four; a leaf would cost 18"
+)
 HEIGHT = 440
-SENTENCES = ["The drawing has twelve boxes in eight bins. A leaf of them would cost 1.5 · 12 = 18; the best of the seven cuts costs 10.8 and "
-             "parts them into 8 and 4."]
+SENTENCES = [
+    "The drawing has twelve boxes in eight bins. A leaf of them would cost 1.5 \\cdot 12 = 18; the "
+    "best of the seven cuts costs 10.8 and parts them into 8 and 4.",
+]
 
 # Lower and upper corner; all are 1 deep.
-BOXES = (((0.2, 0.5), (1.0, 1.2)), ((0.4, 1.8), (1.3, 2.6)), ((0.9, 0.8), (1.7, 1.6)), ((1.2, 2.0), (2.2, 2.9)),
-         ((1.6, 0.3), (2.4, 1.0)), ((1.9, 1.3), (2.7, 2.0)), ((2.3, 2.1), (3.2, 2.7)), ((2.6, 0.6), (3.3, 1.4)),
-         ((6.1, 0.4), (6.9, 1.1)), ((6.4, 1.6), (7.2, 2.3)), ((6.9, 0.9), (7.7, 1.5)), ((4.5, 1.2), (5.2, 1.9)))
+BOXES = (
+    ((0.2, 0.5), (1.0, 1.2)),
+    ((0.4, 1.8), (1.3, 2.6)),
+    ((0.9, 0.8), (1.7, 1.6)),
+    ((1.2, 2.0), (2.2, 2.9)),
+    ((1.6, 0.3), (2.4, 1.0)),
+    ((1.9, 1.3), (2.7, 2.0)),
+    ((2.3, 2.1), (3.2, 2.7)),
+    ((2.6, 0.6), (3.3, 1.4)),
+    ((6.1, 0.4), (6.9, 1.1)),
+    ((6.4, 1.6), (7.2, 2.3)),
+    ((6.9, 0.9), (7.7, 1.5)),
+    ((4.5, 1.2), (5.2, 1.9)),
+)
 BINS, DEPTH = 8, 1.0
-STEP, TEST = 3.0, 1.5   # C_t and C_i
+STEP, TEST = 3.0, 1.5  # C_t and C_i
 
 
 def middle(box):
@@ -53,7 +68,13 @@ def draw(canvas, _lesson):
         x = first + (last - first) * (number + 1) / BINS
         a, b = plot(x, 0), plot(x, cost)
         is_best = number == best
-        canvas.area((a[0] - 15, a[1]), (a[0] + 15, a[1]), (a[0] + 15, b[1]), (a[0] - 15, b[1]), color="ray" if is_best else "quiet")
+        canvas.area(
+            (a[0] - 15, a[1]),
+            (a[0] + 15, a[1]),
+            (a[0] + 15, b[1]),
+            (a[0] - 15, b[1]),
+            color="ray" if is_best else "quiet",
+        )
         if is_best:
             canvas.text(b, f"{cost:.1f}", "n", color="ray", gap=4)
     x = at(first + (last - first) * (best + 1) / BINS, 0)[0]

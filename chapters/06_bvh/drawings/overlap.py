@@ -2,13 +2,24 @@
 
 from drawings.places import Flat
 
-ALT = ("The same five triangles twice. Left, a plane cuts space, and the triangle that it cuts is listed on both sides. Right, the "
-       "triangles are sorted into two groups with a box around each: each is listed once, and the boxes overlap")
+ALT = (
+    "The same five triangles twice. Left, a plane cuts space, and the triangle that it cuts is "
+    "listed on both sides. Right, the triangles are sorted into two groups with a box around each: "
+    "each is listed once, and the boxes overlap"
+)
 HEIGHT = 280
-SENTENCES = ["What if we sort the *triangles* instead, each into one group, and put a box around every group? Then the boxes overlap."]
+SENTENCES = [
+    "What if we sort the *triangles* instead, each into one group, and put a box around every "
+    "group? Then the boxes overlap.",
+]
 
-TRIANGLES = (((0.3, 0.4), (1.1, 0.7), (0.5, 1.3)), ((0.7, 1.8), (1.5, 2.1), (0.9, 2.7)), ((1.3, 1.1), (2.6, 1.5), (1.9, 2.0)),
-             ((2.2, 0.3), (3.2, 0.6), (2.9, 1.2)), ((2.7, 1.9), (3.5, 2.0), (3.3, 2.7)))
+TRIANGLES = (
+    ((0.3, 0.4), (1.1, 0.7), (0.5, 1.3)),
+    ((0.7, 1.8), (1.5, 2.1), (0.9, 2.7)),
+    ((1.3, 1.1), (2.6, 1.5), (1.9, 2.0)),
+    ((2.2, 0.3), (3.2, 0.6), (2.9, 1.2)),
+    ((2.7, 1.9), (3.5, 2.0), (3.3, 2.7)),
+)
 PLANE = 2.0
 
 

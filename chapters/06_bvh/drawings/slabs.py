@@ -2,17 +2,23 @@
 
 from drawings.places import Flat
 
-ALT = ("Left: a ray is between the planes of x from t = 2 to 5 and between those of y from t = 1.25 to 3.75; both hold from 2 to "
-       "3.75, and there it is in the box. Right: rays along x; one between the planes of y has a span of y without ends and is "
-       "in the box from 2 to 5, one above them has none")
+ALT = (
+    "Left: a ray is between the planes of x from t = 2 to 5 and between those of y from t = 1.25 "
+    "to 3.75; both hold from 2 to 3.75, and there it is in the box. Right: rays along x; one "
+    "between the planes of y has a span of y without ends and is in the box from 2 to 5, one above "
+    "them has none"
+)
 HEIGHT = 446
-SENTENCES = ["In the drawing the ray is between the planes of x from t = 2 to 5 and between those of y from 1.25 to 3.75: so it is in "
-             "the box from 2 to 3.75.", "It starts at t = 0, as the rays beside it do."]
+SENTENCES = [
+    "In the drawing the ray is between the planes of x from t = 2 to 5 and between those of y from "
+    "1.25 to 3.75: so it is in the box from 2 to 3.75.",
+    "It starts at t = 0, as the rays beside it do.",
+]
 
 LOWER, UPPER = (2.0, 1.0), (5.0, 3.0)
 
 
-MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 30)], 0.8)
+MOVES = ("the direction (1, {})", [i / 20 for i in range(0, 27)], 0.8)
 FARTHEST = 5.9  # that is drawn
 
 

@@ -1,11 +1,15 @@
 """A binary tree of three levels as one node of four boxes, whose planes lie side by side."""
 
-ALT = ("Left, a node of a binary tree with two children and four grandchildren; right, the same as one node with four children. Its "
-       "boxes lie plane by plane, the four lower planes of x side by side, so that one operation holds a ray against four of them: "
-       "six operations for four boxes")
+ALT = (
+    "Left, a node of a binary tree with two children and four grandchildren; right, the same as "
+    "one node with four children. Its boxes lie plane by plane, the four lower planes of x side by "
+    "side, so that one operation holds a ray against four of them: six operations for four boxes"
+)
 HEIGHT = 312
-SENTENCES = ["A node with four children keeps its boxes plane by plane: 6 planes, each of four boxes, so 6 operations hold a ray against "
-             "4 boxes."]
+SENTENCES = [
+    "A node with four children keeps its boxes plane by plane: 6 planes, each of four boxes, so 6 "
+    "operations hold a ray against 4 boxes.",
+]
 
 PLANES = ("x lower", "x upper", "y lower", "y upper", "z lower", "z upper")
 
@@ -15,7 +19,7 @@ def draw(canvas, _lesson):
     leaves = [(30, 214), (84, 214), (138, 214), (192, 214)]
     for number, child in enumerate(children):
         canvas.line(root, child, color="rule")
-        for leaf in leaves[2 * number:2 * number + 2]:
+        for leaf in leaves[2 * number : 2 * number + 2]:
             canvas.line(child, leaf, color="rule")
         canvas.point(child, color="quiet", hollow=True, radius=7)
     canvas.point(root, color="shape", radius=8)

@@ -4,13 +4,18 @@ import math
 
 from drawings.places import Flat
 
-ALT = ("Time per primary ray against the number of triangles, from a thousand to five million, with two logarithmic axes. The points "
-       "of each family lie nearly on a line, whose slope is k: 0.39 for the grid, 0.21 for the kd-tree, 0.17 for the BVH, 0.12 for "
-       "Embree")
+ALT = (
+    "Time per primary ray against the number of triangles, from a thousand to five million, with "
+    "two logarithmic axes. The points of each family lie nearly on a line, whose slope is k: 0.39 "
+    "for the grid, 0.21 for the kd-tree, 0.17 for the BVH, 0.12 for Embree"
+)
 HEIGHT = 400
-SENTENCES = ["So from a thousand to five million triangles k = 0.39 for the grid, 0.21 (short stack) to 0.24 for the kd-tree, 0.17 "
-             "(ordered) to 0.26 (skip) for the BVH, 0.12 for Embree.", "Both axes of the drawing are logarithmic, with lines at 10^3, "
-             "10^4, 10^5 and 10^6 triangles, and at 0.1, 1 and 10 microseconds per ray."]
+SENTENCES = [
+    "So from a thousand to five million triangles k = 0.39 for the grid, 0.21 (short stack) to "
+    "0.24 for the kd-tree, 0.17 (ordered) to 0.26 (skip) for the BVH, 0.12 for Embree.",
+    "Both axes of the drawing are logarithmic, with lines at 10^3, 10^4, 10^5 and 10^6 triangles, "
+    "and at 0.1, 1 and 10 microseconds per ray.",
+]
 HEADING = "| triangles | grid | kd-tree, short stack | BVH, ordered | Embree, single |"
 SIZES = ("1,282", "4,162", "10,642", "68,962", "593,842", "5,317,762")
 FAMILIES = (("grid", "wrong"), ("kd-tree", "shape"), ("BVH", "ray"), ("Embree", "good"))
@@ -26,7 +31,7 @@ def slope(points):
 
 def draw(canvas, lesson):
     rows = [lesson.row(HEADING, size) for size in SIZES]
-    at = Flat(70 - 3 * 96, 208, 96)   # one power of ten along each axis is equally long
+    at = Flat(70 - 3 * 96, 208, 96)  # one power of ten along each axis is equally long
     left, right = 3.0, 6.85
 
     def on(x, y):

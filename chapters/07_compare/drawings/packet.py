@@ -2,10 +2,16 @@
 
 from drawings.places import Flat
 
-ALT = ("Left, four neighbouring pixels whose rays go nearly the same way through a box. Right, one by one each ray fetches the same "
-       "node, four times; as a packet of 2 x 2 the node is fetched once, and four rays are held against it")
+ALT = (
+    "Left, four neighbouring pixels whose rays go nearly the same way through a box. Right, one by "
+    "one each ray fetches the same node, four times; as a packet of 2 x 2 the node is fetched "
+    "once, and four rays are held against it"
+)
 HEIGHT = 300
-SENTENCES = ["A packet of 2 x 2 rays fetches a node once where four rays fetch it 4 times, so the drawing has 1 fetch in place of 4."]
+SENTENCES = [
+    "A packet of 2 x 2 rays fetches a node once where four rays fetch it 4 times, so the drawing "
+    "has 1 fetch in place of 4.",
+]
 
 
 def draw(canvas, _lesson):

@@ -2,9 +2,12 @@
 
 from drawings.places import Flat
 
-ALT = ("Above: something slows the machine for a while. One after the other, it falls on one contender alone; in turn, on a round "
-       "of each. The first round is dropped. Below: the build times of two builders in five scenes, each a median with its "
-       "range; the medians differ, and all ranges overlap")
+ALT = (
+    "Above: something slows the machine for a while. One after the other, it falls on one "
+    "contender alone; in turn, on a round of each. The first round is dropped. Below: the build "
+    "times of two builders in five scenes, each a median with its range; the medians differ, and "
+    "all ranges overlap"
+)
 HEIGHT = 608
 SENTENCES = []
 HEADING = "| scene | triangles | ours, ns per triangle | `rtcBuildBVH` | ratio | cost over a full sweep's |"
@@ -22,8 +25,16 @@ def timeline(canvas, top, contenders, dropped):
     for number, name in enumerate(contenders):
         left = 128 + number * (width + 6)
         color = "shape" if name == "A" else "good"
-        canvas.box(left, top, width, 34, name, color="quiet" if dropped(number) else color, filled=not dropped(number),
-                   dashed=dropped(number))
+        canvas.box(
+            left,
+            top,
+            width,
+            34,
+            name,
+            color="quiet" if dropped(number) else color,
+            filled=not dropped(number),
+            dashed=dropped(number),
+        )
 
 
 def draw(canvas, lesson):
@@ -52,8 +63,10 @@ def draw(canvas, lesson):
         a, b = (at(value - low, 0)[0] for value in overlap)
         canvas.area((a, y - 26), (b, y - 26), (b, y + 26), (a, y + 26), color="quiet", outlined=False)
         for (median, lowest, highest), color, offset, side in zip(pair, ("shape", "good"), (-9, 9), ("n", "s")):
+
             def place(value, offset=offset, y=y):
                 return (at(value - low, 0)[0], y + offset)
+
             canvas.line(place(lowest), place(highest), color=color)
             for end in (lowest, highest):
                 canvas.line((place(end)[0], y + offset - 5), (place(end)[0], y + offset + 5), color=color)

@@ -4,12 +4,18 @@ import math
 
 from drawings.places import Flat
 
-ALT = ("Left: a ray comes from air to glass at 60 degrees to the normal; 8.9 percent of its light is reflected, the rest goes on at "
-       "35.3 degrees. Right: three rays within glass; at 30 degrees most goes out, at 41.81 degrees what goes out grazes the "
-       "surface, and beyond it all is reflected")
+ALT = (
+    "Left: a ray comes from air to glass at 60 degrees to the normal; 8.9 percent of its light is "
+    "reflected, the rest goes on at 35.3 degrees. Right: three rays within glass; at 30 degrees "
+    "most goes out, at 41.81 degrees what goes out grazes the surface, and beyond it all is "
+    "reflected"
+)
 HEIGHT = 330
-SENTENCES = ["In the drawing a ray meets glass at 60 degrees, from n = 1 to n' = 1.5: 8.9 % of it is reflected, and the rest goes on at "
-             "35.3 degrees. Within glass, at 30 degrees most of it leaves, and at 41.81 what leaves grazes the surface."]
+SENTENCES = [
+    "In the drawing a ray meets glass at 60 degrees, from n = 1 to n' = 1.5: 8.9 % of it is "
+    "reflected, and the rest goes on at 35.3 degrees. Within glass, at 30 degrees most of it "
+    "leaves, and at 41.81 what leaves grazes the surface.",
+]
 
 AIR, GLASS = 1.0, 1.5
 MOVES = ("{} degrees from the normal", range(10, 86, 5), 60)
@@ -27,8 +33,10 @@ def reflected_part(degrees, before, behind):
     if inner is None:
         return 1.0
     c, d = math.cos(math.radians(degrees)), math.cos(math.radians(inner))
-    return 0.5 * (((before * c - behind * d) / (before * c + behind * d)) ** 2 +
-                  ((before * d - behind * c) / (before * d + behind * c)) ** 2)
+    return 0.5 * (
+        ((before * c - behind * d) / (before * c + behind * d)) ** 2
+        + ((before * d - behind * c) / (before * d + behind * c)) ** 2
+    )
 
 
 def draw(canvas, _lesson, coming):
@@ -60,7 +68,14 @@ def draw(canvas, _lesson, coming):
         canvas.arrow(start, meets, color=color, width="thick")
         going = refracted(degrees, GLASS, AIR) if degrees < critical else None
         if going is not None:
-            canvas.arrow(meets, (meets[0] + 110 * math.sin(math.radians(going)), meets[1] - 110 * math.cos(math.radians(going))), color=color)
+            canvas.arrow(
+                meets,
+                (
+                    meets[0] + 110 * math.sin(math.radians(going)),
+                    meets[1] - 110 * math.cos(math.radians(going)),
+                ),
+                color=color,
+            )
         elif degrees < 50:
             canvas.arrow(meets, right(foot + 74, 3), color=color)
         else:

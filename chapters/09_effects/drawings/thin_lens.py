@@ -2,10 +2,14 @@
 
 from drawings.places import Flat
 
-ALT = ("A lens from the side: rays of one pixel start at points of a disc and meet in the sharp plane; a thing before or behind "
-       "that plane is met by them at several points, and is blurred")
+ALT = (
+    "A lens from the side: rays of one pixel start at points of a disc and meet in the sharp "
+    "plane; a thing before or behind that plane is met by them at several points, and is blurred"
+)
 HEIGHT = 270
-SENTENCES = ["A lens moves the ray's origin on a disc, so that all rays of a pixel meet in the sharp plane."]
+SENTENCES = [
+    "A lens moves the ray's origin on a disc, so that all rays of a pixel meet in the sharp plane.",
+]
 
 
 def draw(canvas, _lesson):

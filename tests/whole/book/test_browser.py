@@ -82,10 +82,19 @@ class Browser(BrowserTest):
             return [...document.querySelectorAll('article img[src$=".svg"]')].map((img) => [
               img.alt.length > 60, getComputedStyle(img).colorScheme === (isDark ? 'dark' : 'light'),
               img.getBoundingClientRect().left, img.getBoundingClientRect().right]);""")
+        self.assertGreaterEqual(len(seen), 3)
+        self.open("06_bvh.html", width=390, height=800)
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+        self.browser.execute_script("document.querySelector('[data-moving]').scrollIntoView()")
+        moving = self.wait_for("""
+            const svg = document.querySelector('figure.moving svg');
+            if (!svg) return null;
+            const box = svg.getBoundingClientRect();
+            return [svg.getAttribute('aria-label').length > 60, true, box.left, box.right];""")
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
-        self.assertGreaterEqual(len(seen), 3)
-        for has_words, follows_page, left, right in seen:
+        for has_words, follows_page, left, right in [*seen, moving]:
             self.assertTrue(has_words and follows_page)
             self.assertAlmostEqual(left, 0, delta=1)
             self.assertAlmostEqual(right, 390, delta=1)

@@ -23,32 +23,42 @@ class Drawings(unittest.TestCase):
 
     def test_every_file_is_what_its_description_draws(self):
         self.assertGreaterEqual(len(DRAWINGS), 12)
-        self.for_each(lambda drawing: self.assertTrue(
-            drawing.file.read_bytes() == drawing.svg.encode(), "run: python3 -B scripts/drawings"))
+        self.for_each(
+            lambda drawing: self.assertTrue(
+                drawing.file.read_bytes() == drawing.svg.encode(), "run: python3 -B scripts/drawings"
+            )
+        )
 
     def test_no_file_is_without_its_description(self):
         for folder in {path.parent for path in descriptions(ROOT)}:
-            stray = {file.stem for file in folder.iterdir() if file.suffix != ".pyc"}
+            stray = {file.stem for file in folder.iterdir() if file.is_file()}
             self.assertEqual(stray, {path.stem for path in folder.glob("*.py")})
 
     def test_every_number_stands_in_the_lesson(self):
         self.assertGreater(sum(len(drawing.numbers) for drawing in DRAWINGS), 50)
-        self.for_each(lambda drawing: self.assertEqual(
-            drawing.lesson.lacking(drawing.sentences, drawing.numbers), []))
+        self.for_each(
+            lambda drawing: self.assertEqual(drawing.lesson.lacking(drawing.sentences, drawing.numbers), [])
+        )
 
     def test_every_lesson_shows_its_drawings_with_the_words_for_who_cannot_see_them(self):
         self.for_each(lambda drawing: self.assertGreater(len(drawing.alt), 60))
-        self.for_each(lambda drawing: self.assertTrue(
-            f"![{drawing.alt}](drawings/{drawing.file.name})" in drawing.lesson.text, "copy ALT into the lesson"))
+        self.for_each(
+            lambda drawing: self.assertTrue(
+                f"![{drawing.alt}](drawings/{drawing.file.name})" in drawing.lesson.text,
+                "copy ALT into the lesson",
+            )
+        )
 
     def test_every_file_is_an_svg_with_a_name_and_without_scripts_and_links(self):
         def check(drawing):
             root = xml.fromstring(drawing.svg)
             self.assertEqual((root.get("role"), root.get("aria-label")), ("img", drawing.alt))
             kinds = {element.tag.split("}")[1] for element in root.iter()}
-            self.assertLessEqual(kinds, {"svg", "style", "rect", "g", "polyline", "polygon", "path", "circle", "text",
-                                         "tspan"})
+            self.assertLessEqual(
+                kinds, {"svg", "style", "rect", "g", "polyline", "polygon", "path", "circle", "text", "tspan"}
+            )
             self.assertLess(len(drawing.svg), 25_000)
+
         self.for_each(check)
 
 
@@ -82,8 +92,11 @@ class Words(unittest.TestCase):
         self.assertEqual(numbers("$t_x$ = 1.5, $2^{-23}$ and 11,700 of $e_1$"), ["1.5", "2", "-23", "11,700"])
 
     def test_letters_are_slanted_and_numbers_stand(self):
-        self.assertEqual(spans("$t_x$ = 2"), "<tspan class='letters'>t</tspan><tspan class='letters small' dy='5'>x</tspan>"
-                                             "<tspan dy='-5'> = 2</tspan>")
+        self.assertEqual(
+            spans("$t_x$ = 2"),
+            "<tspan class='letters'>t</tspan><tspan class='letters small' dy='5'>x</tspan>"
+            "<tspan dy='-5'> = 2</tspan>",
+        )
         self.assertEqual(spans("$2$"), "<tspan class='upright'>2</tspan>")
 
     def test_words_are_safe_in_xml(self):
@@ -105,7 +118,7 @@ class Places(unittest.TestCase):
 
 class Floats(unittest.TestCase):
     def test_one_ulp_is_what_the_lesson_says(self):
-        self.assertEqual((ulp(1), ulp(1.9), ulp(-4), ulp(16)), (2.0 ** -23, 2.0 ** -23, 2.0 ** -21, 2.0 ** -19))
+        self.assertEqual((ulp(1), ulp(1.9), ulp(-4), ulp(16)), (2.0**-23, 2.0**-23, 2.0**-21, 2.0**-19))
         self.assertEqual(rounded(1 + ulp(1)), 1 + ulp(1))
         self.assertEqual(rounded(1 + 0.4 * ulp(1)), 1)
 

@@ -1,4 +1,4 @@
-"""The drawings in a browser, at the width of a phone and of a desk, light and dark: what can be measured of how they look."""
+"""The drawings in a browser, as wide as a phone and as a desk, light and dark: what can be measured of how they look."""
 
 import shutil
 import tempfile
@@ -11,13 +11,14 @@ from drawings.catalogue import descriptions, make
 from drawings.palette import COLORS
 
 WIDTHS = (390, 1280)
-SMALLEST = 11       # of a letter, in pixels, where a drawing is 390 wide
+SMALLEST = 11  # of a letter, in pixels, where a drawing is 390 wide
 WORDS, SHAPES = 4.5, 3.0  # contrasts that WCAG 2.1 asks for: of text, and of what else is to be seen
 
-# Of each drawing its frame and its shapes; of each text its box, its least letter, the box it belongs to, its colour.
+# Of each drawing its frame and shapes; of each text its box, its least letter, the box it belongs to, its colour.
 MEASURE = """
 const box = (element) => {
-  const all = element.tagName === 'text' ? [...element.querySelectorAll('tspan')].filter((e) => e.textContent.trim()) : [];
+  const all = element.tagName !== 'text' ? [] :
+    [...element.querySelectorAll('tspan')].filter((e) => e.textContent.trim());
   const rects = (all.length ? all : [element]).map((e) => e.getBoundingClientRect());
   return [Math.min(...rects.map((r) => r.left)), Math.min(...rects.map((r) => r.top)),
           Math.max(...rects.map((r) => r.right)), Math.max(...rects.map((r) => r.bottom))];
@@ -27,8 +28,10 @@ const measure = (svg, name) => ({
   name,
   frame: box(svg),
   card: getComputedStyle(svg.querySelector('.back')).fill,
-  colors: seen(svg.querySelectorAll('*')).map((e) => [e.getAttribute('class') || '', getComputedStyle(e).color]),
-  shapes: seen(svg.querySelectorAll('polyline, polygon, path, circle, rect')).map((e) => [e.outerHTML, box(e)]),
+  colors: [...new Map(seen(svg.querySelectorAll('[class]')).map(
+    (e) => [e.getAttribute('class'), getComputedStyle(e).color]))],
+  shapes: seen(svg.querySelectorAll('polyline, polygon, path, circle, rect')).map(
+    (e) => [e.outerHTML.slice(0, 60), box(e)]),
   texts: seen(svg.querySelectorAll('text')).map((text) => ({
     words: text.textContent,
     box: box(text),
@@ -53,17 +56,23 @@ return measurements;
 
 
 def page(drawings):
-    """All drawings in one page, as wide as it is, but not over their own width: still ones, and those that move."""
+    """All drawings in one page, as wide as it is but not over their own width; those that move once more."""
     figures = [(drawing.path.stem, drawing.file.read_text()) for drawing in drawings]
     figures += [(f"{drawing.path.stem} moving", drawing.moving_svg) for drawing in drawings if drawing.moments]
-    return ("<!doctype html><meta charset='utf-8'><style>body { margin: 0 } figure { margin: 0; max-width: 560px }"
-            "svg { display: block; width: 100%; height: auto } .moment:not(.shown) { display: none }</style>\n"
-            + "".join(f"<figure id='{name}'>{svg}</figure>\n" for name, svg in figures))
+    return (
+        "<!doctype html><meta charset='utf-8'><style>body { margin: 0 } figure { margin: 0; max-width: 560px }"
+        "svg { display: block; width: 100%; height: auto } .moment:not(.shown) { display: none }</style>\n"
+        + "".join(f"<figure id='{name}'>{svg}</figure>\n" for name, svg in figures)
+    )
 
 
 def is_within(inner, outer, slack=0.5):
-    return (inner[0] >= outer[0] - slack and inner[1] >= outer[1] - slack and
-            inner[2] <= outer[2] + slack and inner[3] <= outer[3] + slack)
+    return (
+        inner[0] >= outer[0] - slack
+        and inner[1] >= outer[1] - slack
+        and inner[2] <= outer[2] + slack
+        and inner[3] <= outer[3] + slack
+    )
 
 
 def overlap(a, b):
@@ -73,7 +82,7 @@ def overlap(a, b):
 
 def luminance(color):
     """Of `rgb(36, 41, 47)`, as WCAG 2.1 has it."""
-    parts = [int(part) / 255 for part in color[color.index("(") + 1:-1].split(",")[:3]]
+    parts = [int(part) / 255 for part in color[color.index("(") + 1 : -1].split(",")[:3]]
     parts = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
     return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
 
@@ -96,11 +105,14 @@ def faults_of(drawing, width):
             found.append(f"{text['words']!r} is set in {text['size']:.1f} pixels")
         if contrast(text["color"], drawing["card"]) < WORDS:
             found.append(f"{text['words']!r} has a contrast of {contrast(text['color'], drawing['card']):.1f}")
-        for other in texts[number + 1:]:
+        for other in texts[number + 1 :]:
             if overlap(text["box"], other["box"]) > 1:
                 found.append(f"{text['words']!r} overlaps {other['words']!r}")
-    found += [f"{words} leaves the frame" for words, place in drawing["shapes"]
-              if not is_within(place, drawing["frame"])]
+    found += [
+        f"{words} leaves the frame"
+        for words, place in drawing["shapes"]
+        if not is_within(place, drawing["frame"])
+    ]
     for kind, color in drawing["colors"]:
         roles = set(kind.split()) & set(COLORS)
         if roles and roles != {"rule"} and contrast(color, drawing["card"]) < SHAPES:
@@ -124,19 +136,27 @@ class DrawingsSeen(unittest.TestCase):
         shutil.rmtree(cls.folder)
 
     def seen(self, width, theme, with_moments):
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
-        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": theme}]})
+        self.browser.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False},
+        )
+        self.browser.execute_cdp_cmd(
+            "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": theme}]}
+        )
         return self.browser.execute_script(MEASURE, with_moments)
 
     def test_words_are_large_enough_keep_apart_and_stay_within_frame_and_box(self):
         cards = set()
         for width in WIDTHS:
             for theme in ("light", "dark"):
-                with_moments = (width, theme) == (WIDTHS[0], "light")  # what differs from the still one are places
+                with_moments = (width, theme) == (
+                    WIDTHS[0],
+                    "light",
+                )  # what differs from the still one are places
                 drawings = self.seen(width, theme, with_moments)
-                self.assertEqual(len(drawings), sum(1 + len(one.moments) * with_moments for one in self.drawings))
+                self.assertEqual(
+                    len(drawings), sum(1 + len(one.moments) * with_moments for one in self.drawings)
+                )
                 cards.update(one["card"] for one in drawings)
                 for drawing in drawings:
                     with self.subTest(drawing=drawing["name"], width=width, theme=theme):
@@ -149,23 +169,35 @@ class Faults(unittest.TestCase):
     """The measures themselves, on drawings that have faults."""
 
     def drawing(self, *texts):
-        return {"name": "a", "frame": [0, 0, 100, 100], "card": "rgb(255, 255, 255)", "colors": [], "shapes": [],
-                "texts": [{"words": words, "box": box, "within": within, "color": color, "size": size}
-                          for words, box, within, color, size in texts]}
+        return {
+            "name": "a",
+            "frame": [0, 0, 100, 100],
+            "card": "rgb(255, 255, 255)",
+            "colors": [],
+            "shapes": [],
+            "texts": [
+                {"words": words, "box": box, "within": within, "color": color, "size": size}
+                for words, box, within, color, size in texts
+            ],
+        }
 
     def test_each_fault_is_found(self):
         black, grey = "rgb(0, 0, 0)", "rgb(150, 150, 150)"
         self.assertEqual(faults_of(self.drawing(("a", [1, 1, 9, 9], None, black, 12)), 390), [])
-        for text, fault in ((("a", [95, 1, 102, 9], None, black, 12), "leaves the frame"),
-                            (("a", [1, 1, 20, 9], [2, 0, 18, 10], black, 12), "leaves its box"),
-                            (("a", [1, 1, 9, 9], None, black, 10), "10.0 pixels"),
-                            (("a", [1, 1, 9, 9], None, grey, 12), "contrast of 3.0")):
+        for text, fault in (
+            (("a", [95, 1, 102, 9], None, black, 12), "leaves the frame"),
+            (("a", [1, 1, 20, 9], [2, 0, 18, 10], black, 12), "leaves its box"),
+            (("a", [1, 1, 9, 9], None, black, 10), "10.0 pixels"),
+            (("a", [1, 1, 9, 9], None, grey, 12), "contrast of 3.0"),
+        ):
             self.assertIn(fault, faults_of(self.drawing(text), 390)[0])
         two = self.drawing(("a", [1, 1, 9, 9], None, black, 12), ("b", [7, 7, 20, 20], None, black, 12))
         self.assertEqual(faults_of(two, 390), ["'a' overlaps 'b'"])
         line = self.drawing() | {"shapes": [["<line>", [50, 50, 101, 60]]]}
         self.assertEqual(faults_of(line, 390), ["<line> leaves the frame"])
-        pale = self.drawing() | {"colors": [["thin quiet", "rgb(190, 190, 190)"], ["rule", "rgb(190, 190, 190)"]]}
+        pale = self.drawing() | {
+            "colors": [["thin quiet", "rgb(190, 190, 190)"], ["rule", "rgb(190, 190, 190)"]]
+        }
         self.assertEqual(faults_of(pale, 390), ["a shape of thin quiet has a contrast of 1.9"])
 
     def test_contrast_is_that_of_the_guidelines(self):

@@ -37,6 +37,17 @@ class Pages(FolderTest):
         self.assertIn('<li id="L2">int &lt;b&gt;;</li>',
                       (self.folder / "out/source/common/a.h.html").read_text())
 
+    def test_a_source_shows_a_solution_only_to_who_asks(self):
+        self.write("common/a.cpp", "int a() {\n    //# exercise 4.3: a\n    return 7;\n    //# stub: return 0;\n"
+                   "    //# end\n}\n")
+        self.made("[a](../../common/a.cpp)")
+        page = (self.folder / "out/source/common/a.cpp.html").read_text()
+        folded = re.search("<details><summary>exercise 4.3: show the solution</summary>(.*?)</details>", page).group(1)
+        self.assertIn('<li id="L3">    return 7;</li>', folded)
+        self.assertNotIn("return 7", page.replace(folded, ""))
+        self.assertEqual([int(n) for n in re.findall('id="L(\\d+)"', page)], [1, 2, 3, 4, 5, 6])
+        self.assertIn('<ol start="6"><li id="L6">}</li></ol>', page)
+
     def test_a_link_into_nowhere_is_an_error_with_its_line(self):
         with self.assertRaisesRegex(BookError, r"README.md:3: \.\./gone.md leads to .*gone.md"):
             self.made("a\n\n[b](../gone.md)")
@@ -135,7 +146,7 @@ class Contents(unittest.TestCase):
         shown = set()
         for path in page_names(ROOT):
             for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", (ROOT / path).read_text()):
-                if not target.endswith(".svg"):  # drawings are made by scripts/drawings
+                if "drawings/" not in target:  # test_drawings makes these again
                     shown.add(os.path.normpath(path.parent / target))
         self.assertGreaterEqual(len(shown), 10)
         self.assertEqual(shown - made, set())
