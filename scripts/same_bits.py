@@ -52,7 +52,8 @@ def trace(checkout, folder, scene, options):
 
 def compare_hits(old, new):
     different = traced = 0
-    structures, tests = walks(new), triangle_tests(new)
+    structures = [name for name in walks(new) if name in walks(old)]
+    tests = [name for name in triangle_tests(new) if name in triangle_tests(old)]
     kinds = [["--structure", name] for name in structures] + \
             [["--structure", "bvh_skip", "--triangle", name] for name in tests]
     with tempfile.TemporaryDirectory() as name:

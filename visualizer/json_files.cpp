@@ -109,6 +109,10 @@ Json point(const glm::vec3& place) {
     return {six_digits(place.x), six_digits(place.y), six_digits(place.z)};
 }
 
+Json corners_of(const Box& box) {
+    return {point(box.lower), point(box.upper)};
+}
+
 // Triangles share their corners: storing each once takes a third of the numbers.
 void add_model(Json& file, const Scene& scene) {
     std::map<std::array<float, 3>, std::size_t> indices;
@@ -129,8 +133,8 @@ void add_model(Json& file, const Scene& scene) {
 }
 
 std::string outcome_word(Outcome outcome) {
-    constexpr std::array words{"tested", "entered", "climbed", "missed",
-                               "behind", "touched", "leaf"}; // in the order of Outcome
+    constexpr std::array words{"tested", "entered", "climbed", "emptied",
+                               "missed", "behind",  "touched", "leaf"}; // in the order of Outcome
     return words.at(static_cast<std::size_t>(outcome));
 }
 
@@ -143,14 +147,23 @@ Json step_of(const Pane& pane, const RecordedWalk& walk, std::size_t number) {
     }
     Json box = nullptr;
     if (step.cell != no_cell) {
-        const Box& cell = pane.cells.cells[static_cast<std::size_t>(step.cell)].box;
-        box = {point(cell.lower), point(cell.upper)};
+        box = corners_of(pane.cells.cells[static_cast<std::size_t>(step.cell)].box);
     }
     return {{"sentence", sentence_of(pane.cells, walk, number)},
             {"outcome", outcome_word(step.outcome)},
             {"box", box},
             {"tested", tested},
             {"hit", hit}};
+}
+
+Json boxes_of(const StructureCells& structure) {
+    Json boxes = Json::array();
+    for (const Cell& cell : structure.cells) {
+        if (cell.triangles > 0) {
+            boxes.push_back(corners_of(cell.box));
+        }
+    }
+    return boxes;
 }
 
 // A ray that hits nothing is drawn a little beyond the box of the scene.
@@ -222,6 +235,7 @@ void write_walk(const std::filesystem::path& path, const Stage& stage, const Sta
     Json file;
     file["structure"] = walk->structure;
     add_model(file, stage.scene());
+    file["boxes"] = boxes_of(pane.cells);
     file["ray"] = {point(walk->ray.origin), point(end_of(stage, *walk))};
     file["steps"] = Json::array();
     for (std::size_t number = 0; number < walk->steps.size(); ++number) {

@@ -20,6 +20,7 @@ void save_state(const std::filesystem::path& path, const State& state);
 // Writes the model, and the walk of the state's ray through the stage's first structure, for the
 // figures of the book: a JSON object with
 // points, triangles   the model: three numbers per point, three indices of points per triangle
+// boxes               of all parts of the structure that list a triangle: lower and upper corner
 // ray                 origin and end, three numbers each
 // steps               each with its sentence, outcome, box (lower and upper corner, or null) and
 //                     the numbers of the triangles that it tests and hits

@@ -76,8 +76,8 @@ struct State {
     std::string scene = "bunny";
     int scale_exponent = 0; // all lengths of a file are multiplied by 2 to this power
     std::string hard_case;  // instead of the scene: K3
-    std::vector<std::string> structures{"bvh_ordered"}; // NAME or NAME:option=value:...
-    std::map<std::string, std::string> build_values;    // for the builders of all of them
+    std::vector<std::string> structures{"bvh4"};     // NAME or NAME:option=value:...
+    std::map<std::string, std::string> build_values; // for the builders of all of them
     std::optional<Camera> camera; // that traces the picture; by default the scene's
     glm::ivec2 picture{512, 512}; // its size in pixels
 

@@ -8,6 +8,35 @@
 
 using namespace raysteps;
 
+namespace {
+
+// With fewer triangles the loop over all of them takes seconds, and nobody asks.
+constexpr int many_triangles = 20000;
+
+// The loop is this chapter's lesson. Before it begins over a large model, it says how long that
+// will take: by the rate at which this machine tests the first of the triangles, with enough rays
+// for all its processors.
+void announce_loop(const PictureOptions& picture, const TraceOptions& tracing, const Scene& scene,
+                   const Limits& limits) {
+    const int triangles = triangle_count(scene);
+    if (tracing.structure != "every_triangle" || triangles <= many_triangles) {
+        return;
+    }
+    const SceneTextures first_ones = upload(scene, every_triangle(many_triangles));
+    TraceRays trace(trace_parts(tracing.triangle, tracing.structure), limits);
+    const RayTextures rays = generate_rays(scene.camera, 512, 8, RayGeneration::direct);
+    trace.closest_hits(rays, first_ones); // some drivers compile at the first call
+    const double seconds = timed([&] { return trace.closest_hits(rays, first_ones); }).second;
+    const double seconds_per_test = seconds / (512.0 * 8.0 * many_triangles);
+    const double pixels = static_cast<double>(picture.size.width) * picture.size.height;
+    std::printf("loop      %d triangles for each ray: about %.0f s for the camera's rays, up to as "
+                "much for each light, and more for mirrors. Quick: --structure fastest\n",
+                triangles, pixels * triangles * seconds_per_test);
+    std::fflush(stdout);
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     Options options("03_shading",
                     "Chapter 03: diffuse light, hard shadows and mirrors, pass by pass.");
@@ -28,9 +57,10 @@ int main(int argc, char** argv) {
         const BuiltStructure built = build_structure(
             tracing.structure, scene.corners,
             {.reach = camera_reach(picture, scene), .values = tracing.build_values});
+        const Limits limits = measure_limits();
+        announce_loop(picture, tracing, scene, limits);
         WhittedRenderer renderer(scene, upload(scene, built),
-                                 trace_parts(tracing.triangle, tracing.structure),
-                                 measure_limits());
+                                 trace_parts(tracing.triangle, tracing.structure), limits);
         renderer.report_progress(show_progress("tracing"));
         double seconds = 0.0;
         show_or_write(picture, *context, scene.camera, picture_name(picture.scene),

@@ -14,7 +14,8 @@ BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& 
     const BvhOptions options = bvh_options_of(request);
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
     const PackedStructure packed = pack(bvh, corners);
-    return {.packed = packed, .facts = facts_of(bvh, options, packed, seconds)};
+    return {.packed = packed,
+            .facts = facts_of(measure_bvh(bvh, options), bvh.order.size(), packed, seconds)};
 }
 
 } // namespace
@@ -35,8 +36,8 @@ int main(int argc, char** argv) {
         const Scene scene = load_scene(picture);
         const auto context = open_context(picture);
         if (measure) {
-            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}, picture, tracing,
-                          scene);
+            measure_walks({"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"}, picture,
+                          tracing, scene);
             return;
         }
         if (!tracing.rays.empty()) {

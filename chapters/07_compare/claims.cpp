@@ -1,6 +1,8 @@
 #include "claims.h"
 
 #include "gpu/shaders.h"
+#include "render/trace_rays.h"
+#include "structure/structure.h"
 
 #include <fmt/core.h>
 
@@ -121,11 +123,9 @@ const ProgramLength* shortest_of(std::span<const ProgramLength> programs,
 }
 
 std::vector<std::string> files_of(const std::string& structure) {
-    return read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
-                                                 {"triangle", find_part("triangle", "watertight")},
-                                                 {"structure", find_part("structure", structure)},
-                                                 {"observer", "observer/none.glsl"}})
-        .files;
+    Parts parts = walk_parts("watertight", structure);
+    parts["real"] = "real/float.glsl";
+    return read_shader(find_pass(has_packets(structure) ? "trace_packets" : "trace"), parts).files;
 }
 
 int count_lines(const std::string& file) {

@@ -15,7 +15,8 @@ namespace {
 std::vector<StructureChoice> parse_structures(const std::string& text) {
     std::vector<StructureChoice> structures;
     for (const std::string& word : split_words(text, ',')) {
-        find_part("structure", word.substr(0, word.find(':'))); // which names those that there are
+        walk_parts("watertight",
+                   word.substr(0, word.find(':'))); // which names those that there are
         structures.push_back(parse_structure(word));
         const auto same = [&](const StructureChoice& one) { return one.text == word; };
         if (std::ranges::count_if(structures, same) > 1) {
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
     Options options("07_compare",
                     "Chapter 07: which structure is the fastest? All of them in one run.");
     PictureOptions picture{.scene = "bunny", .size = {128, 128}};
-    TraceOptions tracing{.structure = "bvh_ordered"};
+    TraceOptions tracing{.structure = "fastest"};
     Comparison comparison;
     bool builds = false;
     add_picture_options(options, picture);

@@ -11,9 +11,9 @@ namespace raysteps {
 
 struct Comparison {
     std::vector<std::string> scenes{"compact", "knot", "stadium", "cornell_box", "bunny"};
-    std::vector<StructureChoice> structures =
-        plain_structures({"grid", "grid_mailbox", "kd_restart", "kd_backtrack", "kd_short_stack",
-                          "kd_ropes", "bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"});
+    std::vector<StructureChoice> structures = plain_structures(
+        {"grid", "grid_mailbox", "kd_restart", "kd_backtrack", "kd_short_stack", "kd_ropes",
+         "bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4", "packet_bvh4"});
     int growth = 3; // the depth of the largest sphereflake; -1: none
     int rounds = 5;
     double most_seconds = 0.2;

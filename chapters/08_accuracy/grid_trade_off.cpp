@@ -131,7 +131,8 @@ void add_trails(TradeOffTrials& trade_off, int resolution, const Effort& effort)
              .examine =
                  [=] {
                      watch->closest_hits(family->all, family->scene);
-                     return judge_trails(read_integers(*watch->observations()), family->truth);
+                     return judge_trails(read_list(*watch->observations(), family->rays.size()),
+                                         family->truth);
                  }});
     }
 }

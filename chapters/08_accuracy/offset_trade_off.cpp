@@ -67,7 +67,8 @@ Texture upload_points(std::span<const Hit> points) {
                             std::bit_cast<std::uint32_t>(hit.v),
                             static_cast<std::uint32_t>(hit.triangle));
     }
-    Texture texture(TexelFormat::rgba32ui, row, static_cast<int>(points.size()) / row);
+    Texture texture(TexelFormat::rgba32ui, row, static_cast<int>(points.size()) / row,
+                    TexelLayout::one_layer);
     write_texels(texture, texels);
     return texture;
 }

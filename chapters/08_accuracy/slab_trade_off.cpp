@@ -106,7 +106,7 @@ class MeetBoxes {
 public:
     MeetBoxes(const std::string& part, const BoxFamily& family, std::size_t ray_count)
         : program_("pass/trace/meet_boxes.frag", {{"slab", part}}),
-          boxes_(upload_boxes(family.boxes)),
+          boxes_(upload_boxes(family.boxes)), ray_count_(ray_count),
           rays_(upload_rays(std::span(family.rays).first(ray_count))),
           met_(TexelFormat::rgba32ui, rays_.origins.width(), rays_.origins.height()) {
         program_.set("ray_origins", rays_.origins)
@@ -119,11 +119,12 @@ public:
         draw(program_, {.textures = {met_}});
         glFinish();
     }
-    std::vector<glm::uvec4> met() const { return read_integers(met_); }
+    std::vector<glm::uvec4> met() const { return read_list(met_, ray_count_); }
 
 private:
     Program program_;
     BufferTexture boxes_;
+    std::size_t ray_count_;
     RayTextures rays_;
     Texture met_;
 };

@@ -9,7 +9,7 @@ using namespace raysteps;
 int main(int argc, char** argv) {
     Options options("09_effects", "Chapter 09: only the effects that a scene calls for.");
     PictureOptions picture{.scene = "glass_box", .size = {384, 384}};
-    TraceOptions tracing{.structure = "bvh_ordered"};
+    TraceOptions tracing{.structure = "fastest"};
     EffectOptions effects;
     Proof proof{.scenes = {"cornell_box", "mirrors", "sphereflake:2", "glass_box", "glass_bunny",
                            "pictures", "soft_light", "lens", "room"}};

@@ -1,7 +1,5 @@
 #include "gpu_methods.h"
 
-#include "gpu/shaders.h"
-
 namespace raysteps {
 
 std::vector<Hit> GpuMethods::trace(const std::string& triangle, const std::string& structure,
@@ -10,9 +8,10 @@ std::vector<Hit> GpuMethods::trace(const std::string& triangle, const std::strin
     const std::string name = triangle + " " + structure;
     auto tracer = tracers_.find(name);
     if (tracer == tracers_.end()) {
-        const Parts parts{{"triangle", find_part("triangle", triangle)},
-                          {"structure", find_part("structure", structure)}};
-        tracer = tracers_.emplace(name, TraceRays(parts, limits_)).first;
+        tracer =
+            tracers_
+                .emplace(name, TraceRays(walk_parts(triangle, structure), limits_, Packets::always))
+                .first;
     }
     return read_hits(tracer->second.closest_hits(rays, scene), count);
 }

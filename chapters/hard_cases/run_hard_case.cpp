@@ -130,7 +130,8 @@ void try_structures(const HardCase& hard_case, const Batch& batch, Tallies& tall
 }
 
 void try_gpu(const HardCase& hard_case, const Batch& batch, GpuMethods& gpu, Tallies& tallies) {
-    const RayTextures rays = upload_rays(batch.made.rays);
+    RayTextures rays = upload_rays(batch.made.rays);
+    rays.coherence = Coherence::neighbours; // so that packets trace all of them
     const std::size_t count = batch.made.rays.size();
     const SceneTextures bare = upload(batch.scene);
     std::vector<Hit> loop;
@@ -150,18 +151,23 @@ void try_gpu(const HardCase& hard_case, const Batch& batch, GpuMethods& gpu, Tal
                     count_other_hits(loop, batch.loop));
     }
     std::map<std::string, SceneTextures> built;
-    for (const NamedPart& part : list_parts("structure")) {
-        if (part.name == "every_triangle") {
-            continue;
-        }
-        const std::string family = family_of(part.name).name;
+    const auto try_structure = [&](const std::string& structure) {
+        const std::string family = family_of(structure).name;
         if (!built.contains(family)) {
             built.emplace(family, upload(batch.scene, batch.built.at(family)));
         }
         const std::vector<Hit> hits =
-            gpu.trace("watertight", part.name, built.at(family), rays, count);
-        tallies.add({part.name, "GPU", bits_of_loop(hard_case), true}, count,
+            gpu.trace("watertight", structure, built.at(family), rays, count);
+        tallies.add({structure, "GPU", bits_of_loop(hard_case), true}, count,
                     count_unlike(hard_case, batch, hits, loop));
+    };
+    for (const NamedPart& part : list_parts("structure")) {
+        if (part.name != "every_triangle") {
+            try_structure(part.name);
+        }
+    }
+    for (const NamedPart& part : list_parts("packet")) {
+        try_structure(part.name);
     }
 }
 

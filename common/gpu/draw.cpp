@@ -10,10 +10,27 @@ namespace raysteps {
 
 namespace {
 
-void attach(const Texture& texture, std::size_t place) {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(place),
-                           GL_TEXTURE_2D, texture.id(), 0);
-}
+// Attaches textures one behind the other, each layer as a target of its own.
+class Attachments {
+public:
+    void add(const Texture& texture) {
+        for (int layer = 0; layer < texture.layers(); ++layer) {
+            const GLenum place = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers_.size());
+            if (texture.layout() == TexelLayout::flat) {
+                glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.id(), 0);
+            } else {
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, place, texture.id(), 0, layer);
+            }
+            buffers_.push_back(place);
+        }
+        glDrawBuffers(count(), buffers_.data());
+    }
+
+    GLsizei count() const { return static_cast<GLsizei>(buffers_.size()); }
+
+private:
+    std::vector<GLenum> buffers_;
+};
 
 void check_complete() {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
@@ -36,21 +53,25 @@ void cover(Shape shape, int width, int height) {
 void draw(const Program& program, const Targets& targets) {
     assert(!targets.textures.empty());
     const Framebuffer framebuffer;
-    std::vector<GLenum> buffers;
-    for (std::size_t i = 0; i < targets.textures.size(); ++i) {
-        attach(targets.textures[i], i);
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+    Attachments attachments;
+    for (const Texture& texture : targets.textures) {
+        attachments.add(texture);
     }
-    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     if (targets.live) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                   targets.live->id());
     }
     check_complete();
+    if (targets.clear_to) {
+        for (GLint i = 0; i < attachments.count(); ++i) {
+            glClearBufferuiv(GL_COLOR, i, &targets.clear_to->x);
+        }
+    }
     if (targets.live) {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_EQUAL, 1, 1);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        glStencilMask(0); // else a pass that discards is run before the test
     }
     if (targets.blend == Blend::add) {
         glEnable(GL_BLEND);
@@ -58,22 +79,50 @@ void draw(const Program& program, const Targets& targets) {
     }
     program.use();
     const Texture& first = targets.textures.front();
-    cover(targets.shape, first.width(), first.height());
+    cover(targets.shape, first.layer_width(), first.layer_height());
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
+    glStencilMask(~0U);
     check_gl("running a pass");
 }
 
+long count_drawn(const std::function<void()>& drawing) {
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    drawing();
+    glEndQuery(GL_SAMPLES_PASSED);
+    GLuint count = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    glDeleteQueries(1, &query);
+    return static_cast<long>(count);
+}
+
+long draw_and_count(const Program& program, const Targets& targets) {
+    return count_drawn([&] { draw(program, targets); });
+}
+
 void clear(const Texture& texture) {
+    if (texture.format() == TexelFormat::rgba32ui) {
+        clear(texture, glm::uvec4(0u));
+        return;
+    }
     const Framebuffer framebuffer;
-    attach(texture, 0);
+    Attachments attachments;
+    attachments.add(texture);
     check_complete();
     const GLfloat zeros[4] = {};
-    const GLuint integer_zeros[4] = {};
-    if (texture.format() == TexelFormat::rgba32ui) {
-        glClearBufferuiv(GL_COLOR, 0, integer_zeros);
-    } else {
-        glClearBufferfv(GL_COLOR, 0, zeros);
+    glClearBufferfv(GL_COLOR, 0, zeros);
+    check_gl("clearing a texture");
+}
+
+void clear(const Texture& texture, const glm::uvec4& value) {
+    const Framebuffer framebuffer;
+    Attachments attachments;
+    attachments.add(texture);
+    check_complete();
+    for (GLint i = 0; i < attachments.count(); ++i) {
+        glClearBufferuiv(GL_COLOR, i, &value.x);
     }
     check_gl("clearing a texture");
 }

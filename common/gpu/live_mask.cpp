@@ -75,17 +75,10 @@ void retire(LiveMask& mask, const Program& program) {
 
 long count_live(const LiveMask& mask, const Program& program) {
     const MaskFramebuffer framebuffer(mask);
-    GLuint query = 0;
-    glGenQueries(1, &query);
     program.use();
-    glBeginQuery(GL_SAMPLES_PASSED, query);
-    cover(Shape::triangle, mask.width(), mask.height());
-    glEndQuery(GL_SAMPLES_PASSED);
-    GLuint count = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-    glDeleteQueries(1, &query);
+    const long count = count_drawn([&] { cover(Shape::triangle, mask.width(), mask.height()); });
     check_gl("counting rays");
-    return static_cast<long>(count);
+    return count;
 }
 
 } // namespace raysteps

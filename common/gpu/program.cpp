@@ -129,7 +129,7 @@ Program& Program::set(const std::string& name, const glm::ivec3& value) {
 }
 
 Program& Program::set(const std::string& name, const Texture& value) {
-    bind(name, GL_TEXTURE_2D, value.id());
+    bind(name, value.target(), value.id());
     return *this;
 }
 
@@ -154,6 +154,7 @@ void Program::bind(const std::string& name, GLenum target, GLuint texture) {
     }
     for (Binding& binding : bindings_) {
         if (binding.location == location) {
+            binding.target = target;
             binding.texture = texture;
             return;
         }

@@ -118,18 +118,32 @@ std::vector<std::filesystem::path> list_files(const std::string& extension) {
     return {files.begin(), files.end()};
 }
 
-// What a part defines that fills a slot whose folder also holds what several parts share.
-const std::map<std::string, std::string> role_of_slot{{"structure", "go_on"},
-                                                      {"triangle", "intersect_triangle"},
-                                                      {"offset", "leaving_point"},
-                                                      {"slab", "meets_slabs"}};
+// A slot whose parts stand in a folder that also holds what several of them share, or the parts of
+// another slot: what a part defines that fills it.
+struct Role {
+    std::string slot;
+    std::string folder;
+    std::string function;
+};
+
+const std::vector<Role>& roles() {
+    static const std::vector<Role> all{{"structure", "structure", "go_on"},
+                                       {"packet", "structure", "walk_packet"},
+                                       {"triangle", "triangle", "intersect_triangle"},
+                                       {"offset", "offset", "leaving_point"},
+                                       {"slab", "slab", "meets_slabs"}};
+    return all;
+}
 
 bool fills(const std::filesystem::path& file, const std::string& slot) {
-    const auto role = role_of_slot.find(slot);
-    if (role == role_of_slot.end()) {
-        return true;
+    const auto role = std::ranges::find(roles(), slot, &Role::slot);
+    if (role == roles().end()) {
+        return *file.begin() == slot;
     }
-    const std::regex definition(R"(^\w+ )" + role->second + R"(\(.*)");
+    if (*file.begin() != role->folder) {
+        return false;
+    }
+    const std::regex definition(R"(^\w+ )" + role->function + R"(\(.*)");
     std::ifstream stream(find_shader(file.generic_string(), shader_folder()));
     for (std::string line; std::getline(stream, line);) {
         if (std::regex_match(line, definition)) {
@@ -200,7 +214,7 @@ std::string name_files(const std::string& messages, const std::vector<std::strin
 std::vector<NamedPart> list_parts(const std::string& slot) {
     std::vector<NamedPart> parts;
     for (const std::filesystem::path& file : list_files(".glsl")) {
-        if (*file.begin() == slot && fills(file, slot)) {
+        if (fills(file, slot)) {
             parts.push_back({file.stem().string(), file.generic_string()});
         }
     }

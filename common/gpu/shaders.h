@@ -55,8 +55,8 @@ struct ProgramRecipe {
 };
 
 // The shader folder is its own catalogue, so that a new part is a new file and nothing else. The
-// slot <triangle> takes each file in the folder triangle/ that defines what the slot needs. Sorted
-// by name.
+// slot <triangle> takes each file in the folder triangle/ that defines what the slot needs, and the
+// slots <structure> and <packet> share the folder structure/. Sorted by name.
 std::vector<NamedPart> list_parts(const std::string& slot);
 
 // The file of the part with that name. Throws InputError that lists the names where there is none.

@@ -30,28 +30,60 @@ std::string size_text(int width, int height) {
 }
 
 void write_bytes(const Texture& texture, const void* texels) {
+    assert(texture.layout() != TexelLayout::quads);
     const FormatNames names = names_of(texture.format());
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width(), texture.height(), names.layout,
-                    names.type, texels);
+    glBindTexture(texture.target(), texture.id());
+    if (texture.layout() == TexelLayout::flat) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width(), texture.height(), names.layout,
+                        names.type, texels);
+    } else {
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, texture.width(), texture.height(), 1,
+                        names.layout, names.type, texels);
+    }
     check_gl("writing a texture of " + size_text(texture.width(), texture.height()));
 }
 
-void read_bytes(const Texture& texture, void* texels) {
+// All layers, one behind the other.
+template <class Texel>
+std::vector<Texel> read_layers(const Texture& texture) {
     const FormatNames names = names_of(texture.format());
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-    glGetTexImage(GL_TEXTURE_2D, 0, names.layout, names.type, texels);
+    std::vector<Texel> texels(static_cast<std::size_t>(texture.layers()) *
+                              static_cast<std::size_t>(texture.layer_width()) *
+                              static_cast<std::size_t>(texture.layer_height()));
+    glBindTexture(texture.target(), texture.id());
+    glGetTexImage(texture.target(), 0, names.layout, names.type, texels.data());
     check_gl("reading a texture of " + size_text(texture.width(), texture.height()));
+    return texels;
 }
 
-std::size_t texel_count(const Texture& texture) {
+template <class Texel>
+std::vector<Texel> read_texels(const Texture& texture) {
+    std::vector<Texel> layers = read_layers<Texel>(texture);
+    if (texture.layout() != TexelLayout::quads) {
+        return layers;
+    }
+    std::vector<Texel> texels;
+    texels.reserve(layers.size());
+    for (int y = 0; y < texture.height(); ++y) {
+        for (int x = 0; x < texture.width(); ++x) {
+            const int layer = x % 2 + 2 * (y % 2);
+            const int row = layer * texture.layer_height() + y / 2;
+            texels.push_back(layers[static_cast<std::size_t>(row) *
+                                        static_cast<std::size_t>(texture.layer_width()) +
+                                    static_cast<std::size_t>(x / 2)]);
+        }
+    }
+    return texels;
+}
+
+[[maybe_unused]] std::size_t texel_count(const Texture& texture) {
     return static_cast<std::size_t>(texture.width()) * static_cast<std::size_t>(texture.height());
 }
 
 } // namespace
 
-Texture::Texture(TexelFormat format, int width, int height)
-    : format_(format), width_(width), height_(height) {
+Texture::Texture(TexelFormat format, int width, int height, TexelLayout layout)
+    : format_(format), layout_(layout), width_(width), height_(height) {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (width < 1 || height < 1 || width > limit || height > limit) {
@@ -62,12 +94,17 @@ Texture::Texture(TexelFormat format, int width, int height)
     const FormatNames names = names_of(format);
     clear_gl_errors();
     glGenTextures(1, &id_);
-    glBindTexture(GL_TEXTURE_2D, id_);
-    glTexImage2D(GL_TEXTURE_2D, 0, names.internal, width, height, 0, names.layout, names.type,
-                 nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(target(), id_);
+    if (layout == TexelLayout::flat) {
+        glTexImage2D(GL_TEXTURE_2D, 0, names.internal, width, height, 0, names.layout, names.type,
+                     nullptr);
+    } else {
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, names.internal, layer_width(), layer_height(),
+                     layers(), 0, names.layout, names.type, nullptr);
+    }
+    glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, 0);
     try {
         check_gl("making a texture of " + size_text(width, height));
     } catch (...) {
@@ -83,15 +120,32 @@ Texture::~Texture() {
 }
 
 Texture::Texture(Texture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), format_(other.format_), width_(other.width_),
-      height_(other.height_) {}
+    : id_(std::exchange(other.id_, 0)), format_(other.format_), layout_(other.layout_),
+      width_(other.width_), height_(other.height_) {}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(format_, other.format_);
+    std::swap(layout_, other.layout_);
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
     return *this;
+}
+
+GLenum Texture::target() const {
+    return layout_ == TexelLayout::flat ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY;
+}
+
+int Texture::layers() const {
+    return layout_ == TexelLayout::quads ? 4 : 1;
+}
+
+int Texture::layer_width() const {
+    return layout_ == TexelLayout::quads ? (width_ + 1) / 2 : width_;
+}
+
+int Texture::layer_height() const {
+    return layout_ == TexelLayout::quads ? (height_ + 1) / 2 : height_;
 }
 
 void write_texels(const Texture& texture, std::span<const glm::vec4> texels) {
@@ -106,16 +160,12 @@ void write_texels(const Texture& texture, std::span<const glm::uvec4> texels) {
 
 std::vector<glm::vec4> read_floats(const Texture& texture) {
     assert(texture.format() == TexelFormat::rgba32f);
-    std::vector<glm::vec4> texels(texel_count(texture));
-    read_bytes(texture, texels.data());
-    return texels;
+    return read_texels<glm::vec4>(texture);
 }
 
 std::vector<glm::uvec4> read_integers(const Texture& texture) {
     assert(texture.format() == TexelFormat::rgba32ui);
-    std::vector<glm::uvec4> texels(texel_count(texture));
-    read_bytes(texture, texels.data());
-    return texels;
+    return read_texels<glm::uvec4>(texture);
 }
 
 BufferTexture::BufferTexture(std::span<const glm::vec4> texels)

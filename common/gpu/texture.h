@@ -18,12 +18,20 @@ enum class TexelFormat {
               // integers
 };
 
-// A two-dimensional texture without mipmaps that is read by texelFetch and drawn into.
+// Where the texels of a texture lie.
+enum class TexelLayout {
+    flat,      // in two dimensions: a sampler2D
+    one_layer, // in an array of one layer: a sampler2DArray
+    quads,     // texel (x, y) at (x / 2, y / 2) of layer x % 2 + 2 * (y % 2), in an array of four
+               // layers: where a pass draws 2 x 2 texels at once. (core/hit_texels.glsl reads both)
+};
+
+// A texture without mipmaps that is read by texelFetch and drawn into.
 // Owns the OpenGL object.
 class Texture {
 public:
     // Throws MachineError where the size is over the machine's limit, or memory is short.
-    Texture(TexelFormat format, int width, int height);
+    Texture(TexelFormat format, int width, int height, TexelLayout layout = TexelLayout::flat);
     ~Texture();
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
@@ -34,10 +42,18 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     TexelFormat format() const { return format_; }
+    TexelLayout layout() const { return layout_; }
+    GLenum target() const; // of OpenGL: a kind of texture
+
+    // As OpenGL sees it.
+    int layers() const;
+    int layer_width() const;
+    int layer_height() const;
 
 private:
     GLuint id_ = 0;
     TexelFormat format_;
+    TexelLayout layout_;
     int width_;
     int height_;
 };

@@ -32,6 +32,22 @@ Seconds seconds_of(const std::function<void()>& work) {
     return {end.clock - start.clock, end.cpu - start.cpu};
 }
 
+MeasuredRange speed_ratio(const ContestTimes& ours, double our_work, const ContestTimes& theirs,
+                          double their_work, double Seconds::*spent) {
+    //# exercise 10.6: how many times as fast
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < ours.rounds.size(); ++round) {
+        const double our_speed = our_work / (ours.rounds[round].*spent);
+        const double their_speed = their_work / (theirs.rounds[round].*spent);
+        ratios.push_back(our_speed / their_speed);
+    }
+    return measured_range(std::move(ratios));
+    //# stub: const double our_speed = our_work / (ours.rounds.front().*spent);
+    //# stub: const double their_speed = their_work / (theirs.rounds.front().*spent);
+    //# stub: return measured_range({our_speed / their_speed});
+    //# end
+}
+
 std::vector<ContestTimes> run_contest(std::span<const Contender> contenders, int rounds,
                                       const std::function<void(double part_done)>& progress) {
     if (rounds < 1) {

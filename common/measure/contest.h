@@ -56,6 +56,12 @@ inline MeasuredRange cpu_seconds(const ContestTimes& times) {
     return over_rounds(times, [](const Seconds& seconds) { return seconds.cpu; });
 }
 
+// How fast one contender was as a multiple of another, where they did that much work in a round:
+// round by round, so that what slows the machine for a while slows both. `spent` says which seconds
+// count: &Seconds::clock or &Seconds::cpu. Both must have been in one contest.
+MeasuredRange speed_ratio(const ContestTimes& ours, double our_work, const ContestTimes& theirs,
+                          double their_work, double Seconds::*spent);
+
 // What the work takes by itself, once, in no contest.
 Seconds seconds_of(const std::function<void()>& work);
 

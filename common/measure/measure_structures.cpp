@@ -14,16 +14,33 @@ namespace raysteps {
 
 namespace {
 
-// The parts of a walk's program by their names.
-Parts walk_parts(const std::string& triangle, const std::string& structure,
-                 const std::string& observer) {
-    return {{"triangle", find_part("triangle", triangle)},
-            {"structure", find_part("structure", structure)},
-            {"observer", "observer/" + observer + ".glsl"}};
+// Of a structure that is named for its packets, the contest measures packets, however few rays
+// there are.
+TraceRays make_tracer(const std::string& triangle, const std::string& structure,
+                      const Limits& limits) {
+    return {walk_parts(triangle, structure), limits,
+            structure == "fastest" ? Packets::where_faster : Packets::always};
+}
+
+TraceRays make_counting_tracer(const std::string& triangle, const std::string& structure,
+                               const Limits& limits) {
+    Parts parts = walk_parts(triangle, structure);
+    parts["observer"] = "observer/count.glsl";
+    return {std::move(parts), limits};
 }
 
 Texture trace(TraceRays& tracer, const SceneTextures& scene, const RayTextures& rays, Query query) {
     return query == Query::any ? tracer.any_hits(rays, scene) : tracer.closest_hits(rays, scene);
+}
+
+// What a picture has for its pixels as a list in which neighbours stay neighbours.
+template <class Value>
+std::vector<Value> in_blocks(const std::vector<Value>& picture, const MeasureRequest& request) {
+    std::vector<Value> list;
+    for (const std::size_t pixel : pixels_in_blocks(request.width, request.height)) {
+        list.push_back(picture[pixel]);
+    }
+    return list;
 }
 
 // Neighbours in a run are as coherent as in the whole.
@@ -43,7 +60,7 @@ struct RaySet {
 // Of each `step` runs of rays, the first: rays from all over the picture, for a contender that
 // cannot trace them all in the time there is.
 RaySet every_nth_run(const RayKind& kind, std::size_t step) {
-    RayKind sample{kind.name, kind.query, {}};
+    RayKind sample{kind.name, kind.query, {}, kind.coherence};
     std::vector<std::size_t> numbers;
     for (std::size_t begin = 0; begin < kind.rays.size(); begin += step * rays_per_run) {
         for (std::size_t i = begin; i < std::min(begin + rays_per_run, kind.rays.size()); ++i) {
@@ -52,6 +69,7 @@ RaySet every_nth_run(const RayKind& kind, std::size_t step) {
         }
     }
     RayTextures textures = upload_rays(sample.rays);
+    textures.coherence = kind.coherence;
     return {std::move(sample), std::move(numbers), std::move(textures)};
 }
 
@@ -259,19 +277,13 @@ void measure_rates(std::vector<Entry>& entries, int rounds, const Progress& prog
     // Work on a GPU is no time of a processor.
     double Seconds::*const spent =
         runs_on_processor(renderer_name()) ? &Seconds::cpu : &Seconds::clock;
-    const std::vector<Seconds>& beside =
-        times[static_cast<std::size_t>(embree - entries.begin())].rounds;
+    const ContestTimes& beside = times[static_cast<std::size_t>(embree - entries.begin())];
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (is_embree(entries[i].tracer.name)) {
-            continue;
+        if (!is_embree(entries[i].tracer.name)) {
+            entries[i].costs.to_embree =
+                speed_ratio(times[i], static_cast<double>(entries[i].costs.rays), beside,
+                            static_cast<double>(embree->costs.rays), spent);
         }
-        const double rays =
-            static_cast<double>(entries[i].costs.rays) / static_cast<double>(embree->costs.rays);
-        std::vector<double> ratios;
-        for (std::size_t round = 0; round < beside.size(); ++round) {
-            ratios.push_back(rays * beside[round].*spent / (times[i].rounds[round].*spent));
-        }
-        entries[i].costs.to_embree = measured_range(std::move(ratios));
     }
 }
 
@@ -286,11 +298,11 @@ MeasureRequest with_first_walk(MeasureRequest request) {
 
 StructureContest::StructureContest(MeasureRequest request, const Limits& limits)
     : request_(with_first_walk(std::move(request))), limits_(limits),
-      first_walk_(walk_parts(request_.triangle, request_.first_walk, "none"), limits),
-      loop_(walk_parts(request_.triangle, "every_triangle", "none"), limits) {
+      first_walk_(make_tracer(request_.triangle, request_.first_walk, limits)),
+      loop_(walk_parts(request_.triangle, "every_triangle"), limits) {
     for (const StructureChoice& choice : request_.structures) {
         walks_.try_emplace(choice.structure,
-                           walk_parts(request_.triangle, choice.structure, "none"), limits);
+                           make_tracer(request_.triangle, choice.structure, limits));
     }
 }
 
@@ -320,9 +332,9 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     const RayTextures camera =
         generate_rays(scene.camera, request_.width, request_.height, RayGeneration::direct);
     const std::vector<Hit> hits =
-        read_hits(first_walk_.closest_hits(camera, built.of(first_choice)));
+        in_blocks(read_hits(first_walk_.closest_hits(camera, built.of(first_choice))), request_);
     std::vector<RaySets> kinds;
-    for (RayKind& kind : ray_kinds(scene, read_rays(camera), hits, 1)) {
+    for (RayKind& kind : ray_kinds(scene, in_blocks(read_rays(camera), request_), hits, 1)) {
         if (std::find(request_.kinds.begin(), request_.kinds.end(), kind.name) !=
             request_.kinds.end()) {
             kinds.emplace_back(std::move(kind));
@@ -343,7 +355,7 @@ SceneCosts StructureContest::measure(const Scene& scene, const Progress& progres
     // so many programs compiled.
     for (std::size_t i = 0; i < request_.structures.size(); ++i) {
         const StructureChoice& choice = request_.structures[i];
-        TraceRays count(walk_parts(request_.triangle, choice.structure, "count"), limits_);
+        TraceRays count = make_counting_tracer(request_.triangle, choice.structure, limits_);
         for (std::vector<Entry>& own : entries) {
             add_counts(own[i], count, built.of(choice));
         }

@@ -33,10 +33,12 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
     const mirror::SceneBuffers buffers(scene);
     auto mirror = mirror::mirror_of<Mirror>(buffers);
     RandomNumbers numbers(seed);
-    RayKind shadow{"shadow", Query::any, {}};
-    RayKind reflection{"reflection", Query::closest, {}};
-    RayKind bounce{"bounce", Query::closest, {}};
+    RayKind all{"primary", Query::closest, {primary.begin(), primary.end()}, Coherence::neighbours};
+    RayKind shadow{"shadow", Query::any, {}, Coherence::neighbours};
+    RayKind reflection{"reflection", Query::closest, {}, Coherence::alone};
+    RayKind bounce{"bounce", Query::closest, {}, Coherence::alone};
     for (std::size_t i = 0; i < primary.size(); ++i) {
+        all.from.push_back(i);
         if (hits[i].triangle < 0) {
             continue;
         }
@@ -48,14 +50,17 @@ std::vector<RayKind> ray_kinds(const Scene& scene, std::span<const Ray> primary,
                 from_mirror_ray(mirror.shadow_ray(surface, scene.lights.front().position));
             if (ray.t_max >= ray.t_min) {
                 shadow.rays.push_back(ray);
+                shadow.from.push_back(i);
             }
         }
         reflection.rays.push_back(from_mirror_ray(mirror.mirror_ray(surface, incoming)));
+        reflection.from.push_back(i);
         bounce.rays.push_back({surface.origin,
                                cosine_direction(surface.geometric_normal, point_in_ball(numbers)),
                                0.0f, mirror.farthest});
+        bounce.from.push_back(i);
     }
-    std::vector<RayKind> kinds{{"primary", Query::closest, {primary.begin(), primary.end()}}};
+    std::vector<RayKind> kinds{std::move(all)};
     for (RayKind& kind : {std::ref(shadow), std::ref(reflection), std::ref(bounce)}) {
         if (!kind.rays.empty()) {
             kinds.push_back(std::move(kind));

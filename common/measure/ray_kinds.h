@@ -1,6 +1,7 @@
 #pragma once
 
 #include "basics/ray.h"
+#include "render/rays.h"
 #include "scene/scene.h"
 
 #include <span>
@@ -16,6 +17,8 @@ struct RayKind {
     std::string name;
     Query query = Query::closest;
     std::vector<Ray> rays;
+    Coherence coherence = Coherence::alone;
+    std::vector<std::size_t> from{}; // the number of the primary ray that each ray comes from
 };
 
 // The rays that a renderer asks a structure for, as far as their coherence differs:

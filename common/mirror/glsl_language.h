@@ -4,6 +4,7 @@
 #include <glm/exponential.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <bit>
 #include <cassert>
@@ -16,10 +17,13 @@ namespace raysteps::mirror {
 using glm::abs;
 using glm::clamp;
 using glm::floor;
+using glm::greaterThan;
 using glm::ivec3;
 using glm::ivec4;
+using glm::lessThan;
 using glm::max;
 using glm::min;
+using glm::mix;
 using glm::sqrt;
 using glm::uvec4;
 using glm::vec3;
@@ -59,6 +63,11 @@ inline int floatBitsToInt(float value) {
 
 inline float intBitsToFloat(int bits) {
     return std::bit_cast<float>(bits);
+}
+
+inline vec4 intBitsToFloat(const ivec4& bits) {
+    return {intBitsToFloat(bits.x), intBitsToFloat(bits.y), intBitsToFloat(bits.z),
+            intBitsToFloat(bits.w)};
 }
 
 inline unsigned floatBitsToUint(float value) {

@@ -66,6 +66,7 @@ Image WhittedRenderer::render(const Camera& camera, int width, int height, int m
         draw(reflect_, {.textures = {reflected.origins, reflected.directions, reflected_weights},
                         .live = &live});
         std::swap(rays, reflected);
+        reflected.coherence = Coherence::alone; // they were the camera's
         std::swap(weights, reflected_weights);
     }
 }
@@ -73,7 +74,9 @@ Image WhittedRenderer::render(const Camera& camera, int width, int height, int m
 void WhittedRenderer::add_lights(const RayTextures& rays, const Texture& hits,
                                  const Texture& weights, const Texture& color,
                                  const LiveMask& live) {
-    const RayTextures shadow_rays = make_ray_textures(rays.origins.width(), rays.origins.height());
+    RayTextures shadow_rays = make_ray_textures(rays.origins.width(), rays.origins.height());
+    shadow_rays.coherence = rays.coherence; // from neighbouring hits to one light
+    clear(shadow_rays.directions);          // so that pixels without a path have no ray
     const long asking = count_live(live, select_all_);
     for (const Light& light : lights_) {
         counts_.shadow += asking;

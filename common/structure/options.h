@@ -70,20 +70,22 @@ OptionRow<Options> choice_option(const std::string& name, Choice Options::*membe
     return {name, meaning, word_of, set};
 }
 
-// What a person is told of the options.
+// What a person is told of the options, and of these defaults.
 template <class Options>
-std::vector<BuildOption> options_of(const std::vector<OptionRow<Options>>& rows) {
+std::vector<BuildOption> options_of(const std::vector<OptionRow<Options>>& rows,
+                                    const Options& defaults = {}) {
     std::vector<BuildOption> options;
     for (const OptionRow<Options>& row : rows) {
-        options.push_back({row.name, row.text(Options{}), row.meaning});
+        options.push_back({row.name, row.text(defaults), row.meaning});
     }
     return options;
 }
 
 // The options of a request; those that it does not name keep their defaults. Throws InputError.
 template <class Options>
-Options read_options(const std::vector<OptionRow<Options>>& rows, const BuildRequest& request) {
-    Options options;
+Options read_options(const std::vector<OptionRow<Options>>& rows, const BuildRequest& request,
+                     const Options& defaults = {}) {
+    Options options = defaults;
     for (const OptionRow<Options>& row : rows) {
         const auto given = request.values.find(row.name);
         if (given != request.values.end()) {

@@ -82,6 +82,14 @@ struct StructureFamily {
 // and CMake writes the list. So a new builder needs no entry anywhere.
 std::vector<StructureFamily> list_families();
 
+// A structure's name may say more than one walk: `packet_NAME` walks through NAME, neighbours in
+// packets of four rays and others by themselves, and `fastest` is what is the fastest for each kind
+// of rays. The name of the walk of rays by themselves: that of most names is the name.
+std::string single_walk(const std::string& structure);
+
+// Whether rays that are neighbours go in packets.
+bool has_packets(const std::string& structure);
+
 // The family that serves the structure of that name. Throws InputError where none does.
 StructureFamily family_of(const std::string& structure);
 

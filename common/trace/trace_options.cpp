@@ -6,6 +6,7 @@
 #include "gpu/shaders.h"
 #include "program/output.h"
 #include "program/window/controls.h"
+#include "render/trace_rays.h"
 #include "structure/padding.h"
 
 #include <cstdio>
@@ -44,7 +45,7 @@ std::vector<std::string> part_names(const std::string& slot) {
 
 void add_trace_options(Options& options, TraceOptions& tracing) {
     options.choice("--structure", tracing.structure, "what the rays walk through",
-                   part_names("structure"));
+                   structure_names());
     add_walk_options(options, tracing);
 }
 

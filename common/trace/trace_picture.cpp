@@ -30,8 +30,7 @@ HeatMapRange range_of_most(std::span<const float> values) {
 
 Parts trace_parts(const std::string& triangle, const std::string& structure,
                   const std::string& view) {
-    Parts parts{{"triangle", find_part("triangle", triangle)},
-                {"structure", find_part("structure", structure)}};
+    Parts parts = walk_parts(triangle, structure);
     if (is_heat_map(view)) {
         parts["observer"] = "observer/count.glsl";
     }

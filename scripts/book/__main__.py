@@ -1,4 +1,4 @@
-"""python3 -B scripts/book figures|site|serve: makes the book's figures, makes it, serves it."""
+"""python3 -B scripts/book figures|site|serve: makes the book's figures, makes it, serves it or prints it."""
 
 import argparse
 import sys
@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from book.contents import ROOT  # noqa: E402  (the path has to be there first)
 from book.errors import DONE, WRONG_INPUT, BookError  # noqa: E402
 from book.figures import make_figures  # noqa: E402
+from book.paper import print_book  # noqa: E402
 from book.serve import serve  # noqa: E402
 from book.site import make_site  # noqa: E402
 
@@ -25,6 +26,7 @@ def _parser():
     parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book",
                         help="the folder in which the book is made")
     parser.add_argument("--all", action="store_true", help="figures that take minutes as well")
+    parser.add_argument("--pdf", action="store_true", help="serve nothing: print the book into one file")
     parser.add_argument("--port", type=int, default=8000, help="where to serve it")
     return parser
 
@@ -41,6 +43,8 @@ def main(arguments):
         elif not (store / "site" / "index.html").exists():
             say("book: there is no book yet. `./run.sh book` makes it.")
             return WRONG_INPUT
+        elif options.pdf:
+            say(f"book: printed {print_book(ROOT, store)}")
         else:
             serve(store / "site", options.port)
     except BookError as error:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+AFTERNOON = Path("docs/book/afternoon.md")
 
 
 def chapters(root):
@@ -12,7 +13,7 @@ def chapters(root):
 def parts(root):
     """Pairs of a part's name and the paths of its pages."""
     return [
-        ("Begin", [Path("docs/book/preface.md"), Path("docs/book/set_up.md")]),
+        ("Begin", [Path("docs/book/preface.md"), Path("docs/book/set_up.md"), AFTERNOON]),
         ("Chapters", [*chapters(root), Path("chapters/hard_cases/README.md")]),
         ("Tools", [Path("visualizer/README.md"), Path("docs/course.md"),
                    Path("docs/scene_files.md"), Path("docs/ray_files.md"), Path("docs/figures.md")]),
@@ -21,6 +22,11 @@ def parts(root):
                      Path("docs/numerics.md"), Path("docs/architecture.md"),
                      Path("docs/style.md"), Path("docs/book/interfaces.md")]),
     ]
+
+
+def is_lesson(path):
+    """Whether a page is read from its begin to its end, so that its words are explained."""
+    return path.parts[0] == "chapters" or path == AFTERNOON
 
 
 def page_name(path):

@@ -48,19 +48,28 @@ def _without_margin(lines):
     return [line[margin:] for line in lines]
 
 
-def without_solutions(lines):
-    """The lines of an exercise are the student's: the book only names it there."""
-    kept, in_exercise = [], False
-    for line in lines:
+def exercises_in(lines):
+    """Of each exercise its number and the numbers of its first and last line, from 1. One that does not end
+    here goes to the last line."""
+    found, begun = [], None
+    for number, line in enumerate(lines, 1):
         mark = MARK.match(line)
         if mark and mark.group(2) == "exercise":
-            in_exercise = True
-            kept.append(f"{mark.group(1)}// exercise {mark.group(3)}")
-        if not in_exercise and not mark:
-            kept.append(line)
-        if mark and mark.group(2) == "end":
-            in_exercise = False
-    return kept
+            begun = (mark.group(3), number)
+        if mark and mark.group(2) == "end" and begun:
+            found.append((*begun, number))
+            begun = None
+    return found + [(*begun, len(lines))] if begun else found
+
+
+def without_solutions(lines):
+    """The lines of an exercise are the student's: the book only names it there."""
+    kept, begin = [], 0
+    for exercise, first, last in exercises_in(lines):
+        margin = MARK.match(lines[first - 1]).group(1)
+        kept += [*lines[begin:first - 1], f"{margin}// exercise {exercise}"]
+        begin = last
+    return [line for line in [*kept, *lines[begin:]] if not MARK.match(line)]
 
 
 def cut(text, name):

@@ -6,21 +6,52 @@ import os
 import shutil
 from pathlib import Path
 
+from .cut_code import exercises_in
 from .errors import BookError
+from .moving import moving_script
+from .words import GLOSSARY, words_of
 
 PICTURES = (".png", ".svg", ".jpg")
 SOURCE_PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
 <meta name="viewport" content="width=device-width">
 <style>
+:root {{ color-scheme: light dark; --aimed-at: #ffec99; }}
+:root.default {{ color-scheme: light; }}
+:root.slate {{ color-scheme: dark; --aimed-at: #5c4d00; }}
+@media (prefers-color-scheme: dark) {{ :root:not(.default) {{ --aimed-at: #5c4d00; }} }}
 body {{ font: 15px sans-serif; margin: 1em; }}
-ol {{ font: 13px monospace; white-space: pre; overflow-x: auto; padding-left: 4em; }}
+ol {{ font: 13px monospace; white-space: pre; overflow-x: auto; padding-left: 4em; margin: 0; }}
 li::marker {{ color: #888; }}
-li:target {{ background: #ffec99; }}
-</style></head><body><h1>{title}</h1>
+li:target {{ background: var(--aimed-at); }}
+summary {{ margin: 0.5em 0 0.5em 3em; cursor: pointer; }}
+</style>
+<script>
+// The switch of the book's pages holds here too.
+const key = Object.keys(localStorage).find((name) => name.endsWith(".__palette"));
+if (key) document.documentElement.className = JSON.parse(localStorage[key]).color.scheme;
+</script></head><body><h1>{title}</h1>
 {body}
 </body></html>
 """
+
+
+def lines_of(text):
+    """Lines with their numbers. Those of an exercise are folded: the reader has to ask for the solution."""
+    pieces, begin = [], 1
+    lines = text.rstrip("\n").split("\n")
+
+    def listed(first, last):
+        return f'<ol start="{first}">' + "".join(
+            f'<li id="L{number}">{html.escape(lines[number - 1])}</li>'
+            for number in range(first, last + 1)) + "</ol>"
+
+    for exercise, first, last in exercises_in(lines):
+        pieces += [listed(begin, first - 1),
+                   f"<details><summary>exercise {exercise}: show the solution</summary>",
+                   listed(first, last), "</details>"]
+        begin = last + 1
+    return "".join([*pieces, listed(begin, len(lines))])
 
 
 class Links:
@@ -29,6 +60,8 @@ class Links:
     def __init__(self, root, out, page_names, made, has_viewer=True):
         self.root, self.out, self.page_names, self.made = root, out, page_names, made
         self.has_viewer = has_viewer  # else figures stand still, and say so
+        glossary = root / GLOSSARY
+        self.words = words_of(glossary.read_text()) if glossary.exists() else []
         self.written = set()
 
     def target(self, page, place, target, is_picture):
@@ -58,22 +91,29 @@ class Links:
         self.copy(made if made.exists() else self.root / path, name)
         return name
 
+    def moving(self, page, target):
+        """The script with the moments of the drawing `target` of a page; nothing where it stands still."""
+        description = (self.root / page.parent / target).with_suffix(".py")
+        if description.parent.name != "drawings" or not description.is_file():
+            return ""
+        name = f"pictures/{'_'.join(description.relative_to(self.root).with_suffix('.js').parts)}"
+        script = moving_script(description, name)
+        if script:
+            (self.out / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.out / name).write_text(script)
+        return name if script else ""
+
     def source(self, path):
         """A file as lines with numbers; a folder as a list of its files."""
         name = f"source/{'/'.join(path.parts)}.html"
         if name not in self.written:
             self.written.add(name)
             place = self.root / path
-            body = self._files(path) if place.is_dir() else self._lines(place)
+            body = self._files(path) if place.is_dir() else lines_of(place.read_text(errors="replace"))
             to = self.out / name
             to.parent.mkdir(parents=True, exist_ok=True)
             to.write_text(SOURCE_PAGE.format(title=html.escape(str(path)), body=body))
         return name
-
-    def _lines(self, path):
-        lines = path.read_text(errors="replace").rstrip("\n").split("\n")
-        return "<ol>" + "".join(f'<li id="L{number}">{html.escape(line)}</li>'
-                                for number, line in enumerate(lines, 1)) + "</ol>"
 
     def _files(self, path):
         entries = []

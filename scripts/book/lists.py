@@ -3,6 +3,7 @@
 import re
 import sys
 
+from . import drawings_zip, plans
 from .contents import chapters, title_of
 
 
@@ -71,4 +72,4 @@ def sources(links, _page):
     return lines
 
 
-LISTS = {"exercises": exercises, "sources": sources}
+LISTS = {"exercises": exercises, "sources": sources, **plans.LISTS, **drawings_zip.LISTS}

@@ -1,15 +1,32 @@
 """Makes the pages of the book from the project's own texts."""
 
-from .contents import page_names, parts, title_of
+import re
+
+from .contents import is_lesson, page_names, parts, title_of
 from .directives import carry_out
 from .errors import BookError
 from .links import Links
 from .markdown import change_targets, is_code, open_details, widen_lists
+from .words import GLOSSARY, link_words, with_anchors
+
+
+DRAWING = re.compile(r"^!\[([^\[\]]*)\]\(((?:[\w./]+/)?drawings/\w+\.svg)\)$")
+
+
+def _moving(line, path, links):
+    """The line with the picture of a drawing that moves; None where there is none."""
+    found = DRAWING.match(line)
+    script = found and links.moving(path, found.group(2))
+    if not script:
+        return None
+    return f'![{found.group(1)}]({links.target(path, path, found.group(2), True)}){{ data-moving="{script}" }}'
 
 
 def make_page(path, links):
     """The text of one page. A fault ends in BookError with FILE:LINE."""
     lines = (links.root / path).read_text().split("\n")
+    if path == GLOSSARY:
+        lines = with_anchors(lines)
     code = is_code(lines)
     made = []
     made_code = []
@@ -27,10 +44,13 @@ def make_page(path, links):
             made += asked_for
             made_code += [True] * len(asked_for)
             continue
-        made.append(change_targets(
+        text = _moving(line, path, links) or change_targets(
             open_details(line),
-            lambda target, is_picture, place=place: links.target(path, place, target, is_picture)))
-        made_code.append(False)
+            lambda target, is_picture, place=place: links.target(path, place, target, is_picture))
+        made += text.split("\n")
+        made_code += [False] * (len(made) - len(made_code))
+    if is_lesson(path):
+        made = link_words(made, made_code, links.words)
     return "\n".join(widen_lists(made, made_code))
 
 

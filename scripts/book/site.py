@@ -5,6 +5,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from drawings.palette import page_style
+
 from .errors import BookError, MachineError
 from .interfaces import make_interfaces
 from .pages import make_pages
@@ -12,7 +14,14 @@ from .viewer import fetch_viewer
 
 KATEX = Path("/usr/share/javascript/katex")
 KATEX_FILES = ("katex.min.js", "katex.min.css")
-OWN_FILES = ("formulas.js", "walk.js", "walk_scene.js", "book.css")
+OWN_FILES = ("formulas.js", "page.js", "moving.js", "walk.js", "walk_scene.js", "book.css")
+
+
+def _palette(preferred, scheme, icon, switch):
+    """The colours for who prefers this, and the switch to the others."""
+    return {"media": f"(prefers-color-scheme: {preferred})", "scheme": scheme,
+            "primary": "blue grey", "accent": "deep orange",
+            "toggle": {"icon": f"material/{icon}", "name": switch}}
 
 
 def settings(pages, site, order):
@@ -25,12 +34,13 @@ def settings(pages, site, order):
         "nav": order,
         "theme": {"name": "material", "font": False, "language": "en",
                   "features": ["navigation.sections", "navigation.top"],
-                  "palette": {"primary": "blue grey", "accent": "deep orange"}},
+                  "palette": [_palette("light", "default", "weather-night", "Dark pages"),
+                              _palette("dark", "slate", "weather-sunny", "Light pages")]},
         "plugins": ["search"],
         "extra": {"generator": False},
-        "extra_css": ["assets/katex/katex.min.css", "assets/book.css"],
+        "extra_css": ["assets/katex/katex.min.css", "assets/drawings.css", "assets/book.css"],
         "extra_javascript": ["assets/katex/katex.min.js", "assets/formulas.js",
-                             "assets/walk_scene.js", "assets/walk.js"],
+                             "assets/page.js", "assets/moving.js", "assets/walk_scene.js", "assets/walk.js"],
         "markdown_extensions": ["tables", "md_in_html", "attr_list", "pymdownx.superfences",
                                 {"pymdownx.arithmatex": {"generic": True}},
                                 {"pymdownx.highlight": {"anchor_linenums": False}},
@@ -47,6 +57,7 @@ def _copy_assets(root, pages, viewer):
         shutil.copyfile(KATEX / name, assets / "katex" / name)
     for name in OWN_FILES:
         shutil.copyfile(root / "docs" / "book" / "page" / name, assets / name)
+    (assets / "drawings.css").write_text(page_style())
     if viewer:
         shutil.copyfile(viewer, assets / "vtk.js")
 

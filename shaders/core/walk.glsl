@@ -20,3 +20,18 @@ Walk unpack_walk(uvec4 hit_texel, uvec4 place_texel) {
     walk.ended = place_texel.w != 0u;
     return walk;
 }
+
+// The triangle in the hit texel of a walk that has not ended, which is no hit and no miss.
+const int unfinished_walk = -2;
+
+bool is_unfinished(uvec4 hit_texel) {
+    return int(hit_texel.w) == unfinished_walk;
+}
+
+Walk ended_walk(uvec4 hit_texel) {
+    Walk walk;
+    walk.nearest = unpack_hit(hit_texel);
+    walk.place = ivec3(0);
+    walk.ended = true;
+    return walk;
+}

@@ -3,6 +3,7 @@
 // hand their numbers on as floats.
 #define real double
 #define real3 dvec3
+#define real4 dvec4
 
 // 2^27 + 1, and 2^-900 (see real/float.glsl).
 const real split_factor = 134217729.0lf;

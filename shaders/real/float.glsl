@@ -1,6 +1,7 @@
 // The numbers of every kernel: single precision, as graphics hardware has it.
 #define real float
 #define real3 vec3
+#define real4 vec4
 
 // Splits a number in two halves of 12 digits: 2^12 + 1 (triangle/watertight/exact_area.glsl).
 const real split_factor = 4097.0f;

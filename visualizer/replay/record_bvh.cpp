@@ -45,6 +45,22 @@ int OctantPlaces::in_first_octant(int place) {
     return here;
 }
 
+template <class Mirror>
+int triangles_from(Mirror& mirror, int first) {
+    int count = 1;
+    while (!mirror.bvh_triangle(first + count - 1).last) {
+        ++count;
+    }
+    return count;
+}
+
+Ending box_ending(const RecordedWalk& walk) {
+    if (walk.steps.empty()) {
+        return Ending::no_way_in;
+    }
+    return ended_at_any_hit(walk) ? Ending::found : Ending::all_seen;
+}
+
 // A box is entered where the ray meets it, and before the best hit so far.
 template <class Mirror>
 struct ExplainBox {
@@ -81,30 +97,85 @@ struct ExplainBox {
 
     void leave(const Step&) const {}
 
-    Ending ending(const RecordedWalk& walk) const {
-        if (walk.steps.empty()) {
-            return Ending::no_way_in;
-        }
-        return ended_at_any_hit(walk) ? Ending::found : Ending::all_seen;
-    }
-
-    static int triangles_from(Mirror& mirror, int first) {
-        int count = 1;
-        while (!mirror.bvh_triangle(first + count - 1).last) {
-            ++count;
-        }
-        return count;
-    }
+    Ending ending(const RecordedWalk& walk) const { return box_ending(walk); }
 
     float t_max;
     typename Mirror::BoxRay boxes;
     OctantPlaces places;
 };
 
+// A node of four is entered where a box of its children is met. A walk comes back to it for those
+// that it has not seen, and may find that they begin behind the best hit now.
+template <class Mirror>
+struct ExplainFourBoxes {
+    static constexpr bool each_test_is_a_step = false;
+
+    ExplainFourBoxes(Mirror& mirror, const typename Mirror::Ray& mirror_ray,
+                     const RecorderInput& input)
+        : t_max(mirror_ray.t_max), boxes(mirror.box_ray(mirror_ray)) {
+        for (const Bvh4Child& child : bvh4_children_of(input.packed)) {
+            if (child.parent == 0) {
+                root = merge(root, child.box);
+            }
+            known[child.link] = {child.cell, child.box};
+        }
+    }
+
+    Step visit(Mirror& mirror, int place, const typename Mirror::Hit& nearest) const {
+        const bool leaf = mirror.is_bvh4_leaf(place);
+        const int link = leaf ? place : mirror.bvh4_node(place);
+        const Known here = link == 0 ? Known{0, root} : known.at(link);
+        auto first = here.box.lower;
+        auto last = here.box.upper;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (mirror.descends(boxes, axis)) {
+                std::swap(first[axis], last[axis]);
+            }
+        }
+        const auto span = mirror.span_in_box(boxes, first, last, t_max);
+        Step step;
+        step.cell = here.cell;
+        step.entry = span.entry;
+        step.exit = span.exit;
+        if (leaf) {
+            step.outcome = Outcome::leaf;
+            step.listed = triangles_from(mirror, mirror.bvh4_first_triangle(place));
+        } else if (!(span.entry <= span.exit)) {
+            step.outcome = Outcome::missed;
+        } else if (span.entry > nearest.t) {
+            step.outcome = Outcome::behind;
+        } else if (mirror.bvh4_last_child(place) >= 0) {
+            step.outcome = Outcome::climbed;
+        } else {
+            const bool met = mirror.choose_bvh4_child(boxes, place, nearest.t).count > 0;
+            step.outcome = met ? Outcome::entered : Outcome::emptied;
+        }
+        return step;
+    }
+
+    void leave(const Step&) const {}
+
+    Ending ending(const RecordedWalk& walk) const { return box_ending(walk); }
+
+    struct Known {
+        int cell = no_cell;
+        Box box;
+    };
+
+    float t_max;
+    typename Mirror::BoxRay boxes;
+    Box root;
+    std::unordered_map<int, Known> known; // by the link that leads there
+};
+
 template <template <class, class> class Walk>
 WalkRecorder make(const RecorderInput& input) {
     using Mirror = Walk<float, mirror::Recorder>;
-    return recorder_of<Mirror, ExplainBox<Mirror>>(input);
+    if constexpr (requires(Mirror mirror) { mirror.bvh4_nodes; }) {
+        return recorder_of<Mirror, ExplainFourBoxes<Mirror>>(input);
+    } else {
+        return recorder_of<Mirror, ExplainBox<Mirror>>(input);
+    }
 }
 
 } // namespace

@@ -18,6 +18,7 @@ enum class Outcome {
     tested,  // a triangle by itself, where there is no structure
     entered, // an inner node: on to one of its children
     climbed, // an inner node, on the way up
+    emptied, // an inner node of several children: none of their boxes is met before the best hit
     missed,  // left out: the ray does not meet the box
     behind,  // left out: the box begins behind the best hit
     touched, // left out: the ray only touches the leaf in a point, on its way to the next

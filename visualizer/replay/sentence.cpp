@@ -66,6 +66,8 @@ std::string body_of(const RecordedWalk& walk, const Step& step, bool kd_tree) {
                        : interval_of(step) + ", box met";
     case Outcome::climbed:
         return "up to it, the ray leaves it at t " + short_number(step.exit);
+    case Outcome::emptied:
+        return interval_of(step) + ", no box of its children met";
     case Outcome::missed:
         return "box missed, left out";
     case Outcome::behind:

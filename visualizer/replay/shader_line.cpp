@@ -28,10 +28,14 @@ const Words kd_ended{"visit.walk.ended = nearest.t < leaf.exit ||"};
 const Words kd_climbs{"while (up.exit <= t &&"};
 const Words kd_touches{"bool only_touched = leaf.exit <= t &&"};
 
-const Words bvh_met{"bool met = meets_bvh_node(for_boxes, here, nearest.t);"};
+const Words bvh_met{"bool met = meets_bvh_node(for_boxes, here, nearest.t);",
+                    "bool met = entry <= spans.exit[child]"};
 const Words bvh_entered{"node = met && !is_bvh_leaf(here) ?", "node = inside ? bvh_children(",
-                        "node = children.near;"};
-const Words box_missed{"return span.entry <= exit;", "return span.entry <= span.exit;"};
+                        "node = children.near;", "place = choice.link;"};
+const Words bvh_emptied{"if (choice.count == 0) {"};
+const Words bvh_back{"seen = child == last ? spans.entry[child] : seen;"};
+const Words box_missed{"return span.entry <= exit;", "return span.entry <= span.exit;",
+                       "bool met = entry <= spans.exit[child]"};
 
 Words grid_words(const RecordedWalk& walk, bool is_last) {
     if (!is_last) {
@@ -64,6 +68,10 @@ Words bvh_words(const RecordedWalk& walk, const Step& step, bool is_last) {
         return bvh_met;
     case Outcome::entered:
         return bvh_entered;
+    case Outcome::emptied:
+        return bvh_emptied;
+    case Outcome::climbed:
+        return bvh_back;
     default:
         return is_last && walk.ending == Ending::found ? found_any : nearer;
     }

@@ -58,6 +58,16 @@ StructureCells kd_cells_of(const PackedStructure& packed) {
     return tree;
 }
 
+// How many triangles a leaf has, from its first one on.
+template <class Mirror>
+int triangles_from(Mirror& mirror, int first) {
+    int count = 1;
+    while (!mirror.bvh_triangle(first + count - 1).last) {
+        ++count;
+    }
+    return count;
+}
+
 // Each node in the order of octant 0, where the planes that come first are the lower ones: a node,
 // its near branch, its far one. A branch ends where its skip leads.
 template <class Mirror>
@@ -81,8 +91,34 @@ StructureCells tree_cells_of(const PackedStructure& packed) {
             open.push_back(i);
             continue;
         }
-        for (int triangle = node.link; cell.triangles++, !mirror.bvh_triangle(triangle).last;) {
-            ++triangle;
+        cell.triangles = triangles_from(mirror, node.link);
+    }
+    return tree;
+}
+
+// The nodes of four children, then the leaves. A node's own box stands in its parent; that of the
+// root holds those of its children.
+StructureCells wide_cells_of(const PackedStructure& packed) {
+    mirror::walks::bvh4<float> mirror{};
+    mirror.read(packed);
+    StructureCells tree;
+    tree.kind = CellKind::bvh;
+    tree.cells.resize(static_cast<std::size_t>(mirror.bvh_node_count));
+    for (const Bvh4Child& child : bvh4_children_of(packed)) {
+        if (child.leaf) {
+            tree.cells.emplace_back();
+        }
+        Cell& cell = tree.cells[static_cast<std::size_t>(child.cell)];
+        cell.box = child.box;
+        cell.parent = child.parent;
+        cell.leaf = child.leaf;
+        if (child.parent == 0) {
+            Box& root = tree.cells[0].box;
+            root = merge(root, child.box);
+            tree.cells[0].leaf = false;
+        }
+        if (child.leaf) {
+            cell.triangles = triangles_from(mirror, mirror.bvh4_first_triangle(child.link));
         }
     }
     return tree;
@@ -97,6 +133,9 @@ StructureCells bare_cells_of(const PackedStructure& packed) {
     }
     if (packed.integer_vectors.contains("bvh_nodes")) {
         return tree_cells_of<mirror::walks::bvh_skip<float>>(packed);
+    }
+    if (packed.integer_vectors.contains("bvh4_nodes")) {
+        return wide_cells_of(packed);
     }
     if (packed.integer_vectors.contains("half_nodes")) {
         return tree_cells_of<mirror::walks::half_bvh<float>>(packed);
@@ -113,6 +152,29 @@ Box whole_of(const StructureCells& structure) {
 }
 
 } // namespace
+
+std::vector<Bvh4Child> bvh4_children_of(const PackedStructure& packed) {
+    mirror::walks::bvh4<float> mirror{};
+    mirror.read(packed);
+    std::vector<Bvh4Child> children;
+    int cells = mirror.bvh_node_count;
+    for (int node = 0; node < mirror.bvh_node_count; ++node) {
+        const glm::ivec4 links = mirror.bvh4_links(8 * node);
+        for (int i = 0; i < 4 && links[i] != mirror.no_bvh4_place; ++i) {
+            Bvh4Child child;
+            child.parent = node;
+            child.link = links[i];
+            child.leaf = mirror.is_bvh4_leaf(links[i]);
+            child.cell = child.leaf ? cells++ : links[i] / 8;
+            for (int axis = 0; axis < 3; ++axis) {
+                child.box.lower[axis] = mirror.bvh4_planes(8 * node + 2 * axis)[i];
+                child.box.upper[axis] = mirror.bvh4_planes(8 * node + 2 * axis + 1)[i];
+            }
+            children.push_back(child);
+        }
+    }
+    return children;
+}
 
 StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs) {
     StructureCells structure = bare_cells_of(packed);

@@ -28,7 +28,8 @@ struct Cell {
 enum class CellKind { none, grid, kd_tree, bvh };
 
 // All parts of a structure. A cell's place here is what walks call it; of a BVH it is the place in
-// octant 0. A parent stands before its children.
+// octant 0, and of one with four children a node the nodes come first, then the leaves. A parent
+// stands before its children.
 struct StructureCells {
     CellKind kind = CellKind::none;
     std::vector<Cell> cells;
@@ -46,6 +47,18 @@ struct CellCosts {
 // no cell. A cell is met with the probability of its surface over that of the whole, and costs
 // there what measure_bvh says. In time linear in the cells and references.
 StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs);
+
+// A child of a node of four (shaders/structure/bvh/bvh4_nodes.glsl).
+struct Bvh4Child {
+    Box box;
+    int parent = no_cell;
+    int cell = no_cell;
+    int link = 0;
+    bool leaf = false;
+};
+
+// All of them, node by node.
+std::vector<Bvh4Child> bvh4_children_of(const PackedStructure& packed);
 
 // `cell (3,0,5)`, `node 12` or `leaf 12`.
 std::string cell_name(const StructureCells& structure, int cell);

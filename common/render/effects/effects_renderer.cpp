@@ -97,6 +97,7 @@ RayTextures EffectsRenderer::camera_rays(const Camera& camera, int width, int he
         spread.set("picture_size", glm::vec2(width, height))
             .set("pixel_sample", camera.samples > 1 ? sample : 0);
         draw(spread, {.textures = {rays.origins, rays.directions}});
+        rays.coherence = Coherence::neighbours;
     } else {
         rays = generate_rays(camera, width, height, RayGeneration::direct);
     }

@@ -75,9 +75,8 @@ public:
 private:
     RayTextures cast(const LampPoint& lamp) {
         RayTextures rays = make_ray_textures(width_, height_);
-        if (has(plan_, Effect::glass_shadows)) {
-            clear(rays.directions); // so that pixels without a path have no ray
-        }
+        rays.coherence = paths_.rays.coherence; // from neighbouring hits to one lamp
+        clear(rays.directions);                 // so that pixels without a path have no ray
         Program& program = set_lamp(set_paths(passes_["cast_lamp_rays"], paths_), lamp);
         draw(program, {.textures = {rays.origins, rays.directions}, .live = &paths_.live});
         return rays;

@@ -157,22 +157,6 @@ std::vector<std::int32_t> parents_of(const Bvh& bvh, const Order& order) {
     return parents;
 }
 
-std::vector<glm::ivec4> triangles_of(const Bvh& bvh, std::span<const glm::vec3> corners) {
-    std::vector<glm::ivec4> texels(3 * bvh.order.size());
-    for (std::size_t i = 0; i < bvh.order.size(); ++i) {
-        const auto first = 3 * static_cast<std::size_t>(bvh.order[i]);
-        texels[3 * i] = texel_of(corners[first], bvh.order[i]);
-        texels[3 * i + 1] = texel_of(corners[first + 1], 0);
-        texels[3 * i + 2] = texel_of(corners[first + 2], 0);
-    }
-    for (const BvhNode& node : bvh.nodes) {
-        if (is_leaf(node)) {
-            texels[3 * static_cast<std::size_t>(node.first + node.count - 1) + 1].w = 1;
-        }
-    }
-    return texels;
-}
-
 } // namespace
 
 PackedStructure pack(const Bvh& bvh, std::span<const glm::vec3> corners) {
@@ -189,10 +173,28 @@ PackedStructure pack(const Bvh& bvh, std::span<const glm::vec3> corners) {
     for (int octant = 0; octant < octants; ++octant) {
         put_octant(nodes, bvh, order, octant);
     }
-    structure.integer_vectors["bvh_triangles"] = triangles_of(bvh, corners);
+    structure.integer_vectors["bvh_triangles"] = pack_leaves(bvh.nodes, bvh.order, corners);
     structure.integers["bvh_parents"] = parents_of(bvh, order);
     structure.numbers["bvh_node_count"] = static_cast<int>(bvh.nodes.size());
     return structure;
+}
+
+std::vector<glm::ivec4> pack_leaves(std::span<const BvhNode> nodes,
+                                    std::span<const std::int32_t> order,
+                                    std::span<const glm::vec3> corners) {
+    std::vector<glm::ivec4> texels(3 * order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto first = 3 * static_cast<std::size_t>(order[i]);
+        texels[3 * i] = texel_of(corners[first], order[i]);
+        texels[3 * i + 1] = texel_of(corners[first + 1], 0);
+        texels[3 * i + 2] = texel_of(corners[first + 2], 0);
+    }
+    for (const BvhNode& node : nodes) {
+        if (is_leaf(node)) {
+            texels[3 * static_cast<std::size_t>(node.first + node.count - 1) + 1].w = 1;
+        }
+    }
+    return texels;
 }
 
 std::size_t bytes_of(const PackedStructure& packed) {

@@ -101,6 +101,12 @@ BvhMeasures measure_bvh(const Bvh& bvh, const BvhOptions& options);
 // one must fit into an integer beside the number of an axis.
 PackedStructure pack(const Bvh& bvh, std::span<const glm::vec3> corners);
 
+// The triangles with these corners in the order of the leaves, in the form of
+// shaders/structure/bvh/bvh_leaf.glsl: three texels each. Nodes that are no leaves do not matter.
+std::vector<glm::ivec4> pack_leaves(std::span<const BvhNode> nodes,
+                                    std::span<const std::int32_t> order,
+                                    std::span<const glm::vec3> corners);
+
 // What the arrays of a packed structure take.
 std::size_t bytes_of(const PackedStructure& packed);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "structure/bvh/bvh.h"
+#include "structure/bvh/bvh4.h"
 
 #include <glm/vec3.hpp>
 
@@ -18,5 +19,10 @@ namespace raysteps {
 // - a leaf has its triangles in ascending order;
 // - a box holds its children's boxes, and those of its triangles grown by the padding.
 std::vector<std::string> check_bvh(const Bvh& bvh, std::span<const glm::vec3> corners);
+
+// The same of a tree with up to four children a node. There, of the links:
+// - a node stands behind its parent, is the child of it alone, and knows its place there;
+// - every node has a first child, and empty places stand behind the others.
+std::vector<std::string> check_bvh4(const Bvh4& bvh, std::span<const glm::vec3> corners);
 
 } // namespace raysteps

@@ -44,22 +44,24 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, chosen); });
     BuiltStructure built;
     built.packed = pack(bvh, corners);
-    built.facts = facts_of(bvh, chosen, built.packed, seconds);
+    built.facts = facts_of(measure_bvh(bvh, chosen), bvh.order.size(), built.packed, seconds);
     return built;
 }
 
 } // namespace
 
-BvhOptions bvh_options_of(const BuildRequest& request) {
-    BvhOptions options = read_options(rows(), request);
+BvhOptions bvh_options_of(const BuildRequest& request, const BvhOptions& defaults) {
+    BvhOptions options = read_options(rows(), request, defaults);
     options.reach = static_cast<double>(request.reach);
     return options;
 }
 
-std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options, const PackedStructure& packed,
-                           double seconds) {
-    const BvhMeasures measures = measure_bvh(bvh, options);
-    const std::size_t triangles = bvh.order.size();
+std::vector<BuildOption> bvh_build_options(const BvhOptions& defaults) {
+    return options_of(rows(), defaults);
+}
+
+std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t triangles,
+                           const PackedStructure& packed, double seconds) {
     const auto references = static_cast<double>(triangles); // each triangle is in one leaf
     const auto leaves = static_cast<double>(measures.leaves);
     return {{"build_seconds", seconds},
@@ -77,7 +79,7 @@ std::vector<Fact> facts_of(const Bvh& bvh, const BvhOptions& options, const Pack
 
 // Serves every walk bvh_NAME.glsl of shaders/structure.
 StructureFamily family_bvh() {
-    return {"bvh", options_of(rows()), build};
+    return {"bvh", bvh_build_options({}), build};
 }
 
 } // namespace raysteps

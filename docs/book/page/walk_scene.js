@@ -2,15 +2,16 @@
 // A walk is what the visualizer's --export file.json writes (visualizer/json_files.h).
 "use strict";
 
-const walkColors = {
-  model: [0.62, 0.66, 0.72],
-  ray: [0.0, 0.45, 0.7],
-  before: [0.45, 0.5, 0.65],
-  now: [0.9, 0.62, 0.0],
-  leftOut: [0.55, 0.55, 0.55],
-  tested: [0.34, 0.71, 0.91],
-  hit: [0.84, 0.37, 0.0],
-};
+// book.css has the colours, of a light page and of a dark one, by these names.
+const colorNames = ["model", "structure", "ray", "before", "now", "left-out", "tested", "hit", "background"];
+
+function colorsOf(element) {
+  const style = getComputedStyle(element);
+  return Object.fromEntries(colorNames.map((name) => {
+    const hex = style.getPropertyValue(`--walk-${name}`).trim().slice(1);
+    return [name, [0, 2, 4].map((place) => parseInt(hex.slice(place, place + 2), 16) / 255)];
+  }));
+}
 
 // The twelve edges of a box, as pairs of corners: bit 0 of a corner is its x, bit 1 y, bit 2 z.
 const boxEdges = [
@@ -65,13 +66,12 @@ function rayOf(walk) {
   return polyDataOf([...origin, ...end], [2, 0, 1], []);
 }
 
-// Something drawn, whose shape can be changed: {show(data)}.
-function addShape(renderer, data, color, settings) {
+// Something drawn, whose shape can be changed: {show(data), actor}.
+function addShape(renderer, data, settings) {
   const mapper = vtk.Rendering.Core.vtkMapper.newInstance();
   const actor = vtk.Rendering.Core.vtkActor.newInstance();
   mapper.setInputData(data);
   actor.setMapper(mapper);
-  actor.getProperty().setColor(...color);
   actor.getProperty().set(settings);
   renderer.addActor(actor);
   return { show: (changed) => mapper.setInputData(changed), actor };
@@ -85,8 +85,7 @@ function boundsOf(walk) {
     bounds[2 * axis + 1] = Math.max(bounds[2 * axis + 1], value);
   };
   walk.points.forEach((value, place) => include(value, place % 3));
-  walk.steps.filter((step) => step.box).forEach(
-    (step) => step.box.forEach((corner) => corner.forEach(include)));
+  walk.boxes.forEach((box) => box.forEach((corner) => corner.forEach(include)));
   return bounds;
 }
 
@@ -113,37 +112,59 @@ function lastHit(walk, number) {
   return steps.length > 0 ? steps[steps.length - 1].hit : [];
 }
 
-// Draws the walk into the element. Returns {show(step), redraw()}: the first draws the step of that
-// number.
+// Draws the walk into the element. Returns {show(step), redraw(), turn(x, y), recolor()}: the first draws
+// the step of that number, or of -1 the whole structure; a turn is by pixels.
 function makeWalkScene(element, walk) {
-  const view = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({
-    background: [0.97, 0.97, 0.96], listenWindowResize: true,
-  });
+  const view = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({ listenWindowResize: true });
   view.setContainer(element);
   view.resize();
   const renderer = view.getRenderer();
   const nothing = polyDataOf([], [], []);
-  addShape(renderer, modelOf(walk), walkColors.model, { opacity: 0.35 });
-  addShape(renderer, rayOf(walk), walkColors.ray, { lineWidth: 3, lighting: false });
-  const before = addShape(renderer, nothing, walkColors.before, { lineWidth: 1, lighting: false });
-  const now = addShape(renderer, nothing, walkColors.now, { lineWidth: 4, lighting: false });
-  const tested = addShape(renderer, nothing, walkColors.tested, { lighting: false });
-  const hit = addShape(renderer, nothing, walkColors.hit, { lighting: false });
+  const add = (data, settings) => addShape(renderer, data, settings);
+  const shapes = {
+    model: add(modelOf(walk), { opacity: 0.35 }),
+    structure: add(boxLines(walk.boxes), { lineWidth: 1, lighting: false }),
+    ray: add(rayOf(walk), { lineWidth: 3, lighting: false }),
+    before: add(nothing, { lineWidth: 1, lighting: false }),
+    now: add(nothing, { lineWidth: 4, lighting: false }),
+    tested: add(nothing, { lighting: false }),
+    hit: add(nothing, { lighting: false }),
+  };
+  let step = -1;
   aimCamera(renderer, walk);
 
   function redraw() {
     view.getRenderWindow().render();
   }
+  function isLeftOut() {
+    return step >= 0 && ["missed", "behind", "touched"].includes(walk.steps[step].outcome);
+  }
+  function recolor() {
+    const colors = colorsOf(element);
+    view.setBackground(...colors.background);
+    Object.entries(shapes).forEach(([name, shape]) => shape.actor.getProperty().setColor(...colors[name]));
+    shapes.now.actor.getProperty().setColor(...colors[isLeftOut() ? "left-out" : "now"]);
+    redraw();
+  }
   function show(number) {
-    const step = walk.steps[number];
-    const isLeftOut = ["missed", "behind", "touched"].includes(step.outcome);
-    before.show(boxLines(walk.steps.slice(0, number).map((s) => s.box).filter((box) => box)));
-    now.show(boxLines(step.box ? [step.box] : []));
-    now.actor.getProperty().setColor(...(isLeftOut ? walkColors.leftOut : walkColors.now));
-    tested.show(trianglesOf(walk, step.tested));
-    hit.show(trianglesOf(walk, lastHit(walk, number)));
+    step = number;
+    const seen = walk.steps.slice(0, Math.max(0, step)).map((one) => one.box).filter((box) => box);
+    const { box, tested } = step < 0 ? { box: null, tested: [] } : walk.steps[step];
+    shapes.structure.actor.getProperty().setOpacity(step < 0 ? 0.6 : 0.12);
+    shapes.before.show(boxLines(seen));
+    shapes.now.show(boxLines(box ? [box] : []));
+    shapes.tested.show(trianglesOf(walk, tested));
+    shapes.hit.show(trianglesOf(walk, lastHit(walk, step)));
+    renderer.resetCameraClippingRange();
+    recolor();
+  }
+  function turn(x, y) {
+    const camera = renderer.getActiveCamera();
+    camera.azimuth(-0.5 * x);
+    camera.elevation(0.5 * y);
+    camera.orthogonalizeViewUp();
     renderer.resetCameraClippingRange();
     redraw();
   }
-  return { show, redraw };
+  return { show, redraw, turn, recolor };
 }

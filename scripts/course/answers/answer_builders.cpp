@@ -2,13 +2,15 @@
 
 #include "basics/box.h"
 #include "basics/error.h"
-#include "structure/bvh/bvh.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/bvh/bvh4.h"
 #include "structure/bvh/bvh_split.h"
 #include "structure/grid/grid.h"
 #include "structure/kd_tree/kd_split.h"
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <random>
 
 namespace raysteps {
@@ -131,18 +133,57 @@ Found half_planes(const CourseQuestion& question, std::span<const Ray> boxes) {
             bits(static_cast<double>(half_plane(frame, axis, above)))};
 }
 
+// The lowest of the boxes that lie below a child of a node.
+std::int32_t lowest_box(const Bvh4& bvh, const BvhNode& child) {
+    std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
+    if (is_leaf(child)) {
+        for (std::int32_t i = child.first; i < child.first + child.count; ++i) {
+            lowest = std::min(lowest, bvh.order[static_cast<std::size_t>(i)]);
+        }
+        return lowest;
+    }
+    for (std::int32_t i = 0; i < bvh4_width; ++i) {
+        const BvhNode& below = bvh.children[static_cast<std::size_t>(bvh4_width * child.first + i)];
+        if (is_leaf(below) || below.first != no_bvh4_node) {
+            lowest = std::min(lowest, lowest_box(bvh, below));
+        }
+    }
+    return lowest;
+}
+
+// Of the root of a hierarchy whose leaves have a box each: how many children it has, the lowest box
+// below each of them, two digits a child; and how many nodes there are.
+Found bvh4_root(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
+    std::vector<glm::vec3> corners; // a triangle that spans each box
+    for (const Ray& ray : boxes) {
+        corners.insert(corners.end(), {ray.origin, ray.direction, ray.origin});
+    }
+    const BvhOptions options{.leaf_triangles = 1};
+    const Bvh4 bvh = collapse(build_bvh(corners, options));
+    std::uint32_t children = 0;
+    std::int32_t lowest = 0;
+    for (std::size_t i = 0; i < bvh4_width; ++i) {
+        const BvhNode& child = bvh.children[i];
+        if (is_leaf(child) || child.first != no_bvh4_node) {
+            ++children;
+            lowest = 100 * lowest + lowest_box(bvh, child);
+        }
+    }
+    return {children, static_cast<std::uint32_t>(lowest),
+            static_cast<std::uint32_t>(bvh.parents.size()), 0};
+}
+
 using AskBuilder = Found (*)(const CourseQuestion&, std::span<const Ray>);
 
 AskBuilder builder_of(const std::string& subject) {
-    static const std::map<std::string, AskBuilder> builders{{"grid_cells", grid_cells},
-                                                            {"kd_plane", kd_plane},
-                                                            {"bvh_median", bvh_median},
-                                                            {"bvh_binned", bvh_binned},
-                                                            {"half_planes", half_planes}};
+    static const std::map<std::string, AskBuilder> builders{
+        {"grid_cells", grid_cells}, {"kd_plane", kd_plane},   {"bvh_median", bvh_median},
+        {"bvh_binned", bvh_binned}, {"bvh4_root", bvh4_root}, {"half_planes", half_planes}};
     const auto place = builders.find(subject);
     if (place == builders.end()) {
         throw InputError("no builder has the name " + subject +
-                         ". Take grid_cells, kd_plane, bvh_median, bvh_binned or half_planes.");
+                         ". Take grid_cells, kd_plane, bvh_median, bvh_binned, bvh4_root or "
+                         "half_planes.");
     }
     return place->second;
 }

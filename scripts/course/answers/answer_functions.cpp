@@ -2,7 +2,9 @@
 
 #include "basics/error.h"
 #include "basics/statistics.h"
+#include "measure/contest.h"
 #include "measure/cosine_direction.h"
+#include "render/rays.h"
 
 #include <glm/geometric.hpp>
 
@@ -111,6 +113,33 @@ Found mean_bounce(const CourseQuestion& /*question*/, const Ray& ray) {
     return {bits(cosines / points_on_spiral), bits(squares / points_on_spiral), 0, 0};
 }
 
+// Column and row of a ray in a list: its number is the first of the numbers, so many times, and the
+// second says how many blocks lie side by side.
+Found listed_ray(const CourseQuestion& question, const Ray& ray) {
+    const int times = question.numbers.at("times");
+    const auto number = static_cast<std::size_t>(ray.origin.x * static_cast<float>(times));
+    const int width = 8 * std::max(1, static_cast<int>(ray.origin.y));
+    const std::size_t texel = texel_of_listed_ray(number, width);
+    const auto columns = static_cast<std::size_t>(width);
+    return {static_cast<std::uint32_t>(texel % columns),
+            static_cast<std::uint32_t>(texel / columns), 0, 0};
+}
+
+// Of two contenders in three rounds each, by processor time. By the clock the rounds took as long
+// in another order, so that nobody takes one for the other.
+Found ratio_of_speeds(const CourseQuestion& /*question*/, const Ray& ray) {
+    const Numbers numbers = numbers_of(ray);
+    ContestTimes ours{"ours", {}};
+    ContestTimes theirs{"theirs", {}};
+    for (std::size_t round = 0; round < 3; ++round) {
+        ours.rounds.push_back({.clock = 1.0 + numbers[(round + 1) % 3], .cpu = numbers[round]});
+        theirs.rounds.push_back(
+            {.clock = 1.0 + numbers[3 + (round + 1) % 3], .cpu = numbers[3 + round]});
+    }
+    const MeasuredRange ratio = speed_ratio(ours, numbers[6], theirs, numbers[7], &Seconds::cpu);
+    return {bits(ratio.median), bits(ratio.lowest), bits(ratio.highest), 0};
+}
+
 using AskFunction = Found (*)(const CourseQuestion&, const Ray&);
 
 AskFunction function_of(const std::string& subject) {
@@ -118,11 +147,14 @@ AskFunction function_of(const std::string& subject) {
                                                               {"surely_below", surely_below},
                                                               {"growth", growth},
                                                               {"bounce", bounce},
-                                                              {"mean_bounce", mean_bounce}};
+                                                              {"mean_bounce", mean_bounce},
+                                                              {"listed_ray", listed_ray},
+                                                              {"speed_ratio", ratio_of_speeds}};
     const auto place = functions.find(subject);
     if (place == functions.end()) {
         throw InputError("no function has the name " + subject +
-                         ". Take range_of_rounds, surely_below, growth, bounce or mean_bounce.");
+                         ". Take range_of_rounds, surely_below, growth, bounce, mean_bounce, "
+                         "listed_ray or speed_ratio.");
     }
     return place->second;
 }

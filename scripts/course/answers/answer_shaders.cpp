@@ -68,10 +68,9 @@ Found found_in(const glm::uvec4& texel) {
 }
 
 std::vector<Found> founds_in(const Texture& texture, std::size_t count) {
-    const std::vector<glm::uvec4> texels = read_integers(texture);
+    const std::vector<glm::uvec4> texels = read_list(texture, count);
     std::vector<Found> found(count);
-    std::transform(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(count),
-                   found.begin(), found_in);
+    std::transform(texels.begin(), texels.end(), found.begin(), found_in);
     return found;
 }
 
@@ -92,10 +91,12 @@ Answer answer_checkpoint(const CourseQuestion& question) {
     Answer answer{rays_of(question, scene), {}};
     const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
     const RayTextures rays = upload_rays(answer.rays);
-    Parts parts = parts_of(question);
+    const bool of_packets = has_packets(question.structure);
+    Parts parts =
+        of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
     parts["checkpoint"] = question.subject;
     parts["observer"] = "observer/none.glsl";
-    Program program("checkpoint.frag", parts);
+    Program program(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts);
     program.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("triangle_count", textures.triangle_count)
@@ -116,7 +117,7 @@ Answer answer_checkpoint(const CourseQuestion& question) {
     std::vector<BufferTexture> empty;
     empty.reserve(question.zeros.size());
     for (const auto& [name, count] : question.zeros) {
-        const std::vector<std::int32_t> zeros(static_cast<std::size_t>(count));
+        const std::vector<glm::ivec4> zeros(static_cast<std::size_t>(count), glm::ivec4(0));
         empty.emplace_back(std::span(zeros));
         program.set(name, empty.back());
     }

@@ -42,9 +42,9 @@ struct CourseQuestion {
     std::map<std::string, int> numbers;       // uniforms, instead of the structure's
     std::map<std::string, glm::vec3> points;  // as well
     std::map<std::string, glm::ivec3> counts; // as well
-    std::map<std::string, int> zeros; // buffers of so many zeros, instead of the structure's
-    std::filesystem::path picture;    // where the picture goes, or lies, without its ending
-    std::filesystem::path reference;  // the picture that it is held against, without its ending
+    std::map<std::string, int> zeros;         // buffers of so many texels of zeros, too
+    std::filesystem::path picture;            // where the picture goes, or lies, without its ending
+    std::filesystem::path reference; // the picture that it is held against, without its ending
 };
 
 // A job: {"questions": [{"kind": "checkpoint", "subject": ...}, ...]}, with the names of the fields

@@ -4,6 +4,7 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
 #include "light/glass_materials.glsl"
@@ -14,7 +15,7 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D weights;
 uniform usampler2D media;
 
@@ -23,7 +24,7 @@ out vec4 weight;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     vec3 kept = vec3(texelFetch(weights, pixel, 0));
     int material = innermost_medium(texelFetch(media, pixel, 0));
     if (is_hit(hit) && material >= 0) {

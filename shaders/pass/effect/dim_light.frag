@@ -5,6 +5,7 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
 #include "light/glass_materials.glsl"
@@ -19,7 +20,7 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D shares;
 
 layout(location = 0) out vec4 ray_origin;
@@ -29,7 +30,7 @@ layout(location = 2) out vec4 share;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     if (!is_hit(hit) || !is_glass(hit.triangle)) {
         discard;
     }

@@ -4,6 +4,7 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
 #include "core/vector.glsl"
@@ -17,7 +18,7 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D weights;
 uniform vec3 light_color;
 
@@ -26,7 +27,7 @@ out vec4 color; // added to the picture
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     Surface surface = surface_at(ray, hit);
     vec3 lamp = lamp_point(pixel);
     vec3 share = light_share(pixel);

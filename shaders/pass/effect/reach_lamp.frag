@@ -4,15 +4,16 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D shares;
 
 out vec4 share;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (is_hit(unpack_hit(texelFetch(hits, pixel, 0)))) {
+    if (is_hit(hit_at(hits, pixel))) {
         discard;
     }
     share = texelFetch(shares, pixel, 0);

@@ -5,9 +5,10 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "light/materials.glsl"
 
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D weights;
 uniform vec3 background;
 
@@ -15,7 +16,7 @@ out vec4 color; // added to the picture
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     vec3 seen = background;
     if (is_hit(hit)) {
         seen = triangle_material(hit.triangle).emission;

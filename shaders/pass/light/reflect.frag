@@ -5,6 +5,7 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
 #include "core/vector.glsl"
@@ -14,7 +15,7 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D weights;
 
 layout(location = 0) out vec4 ray_origin;
@@ -24,7 +25,7 @@ layout(location = 2) out vec4 weight;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Surface surface = surface_at(ray, unpack_hit(texelFetch(hits, pixel, 0)));
+    Surface surface = surface_at(ray, hit_at(hits, pixel));
     Ray reflected = mirror_ray(surface, ray);
     ray_origin = pack_ray_origin(reflected);
     ray_direction = pack_ray_direction(reflected);

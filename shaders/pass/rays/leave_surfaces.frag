@@ -4,12 +4,13 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "offset/surface_point.glsl"
 #include "core/vector.glsl"
 #include <offset>
 
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform sampler2D leaving_directions; // with a positive share along the normal of the triangle
 
 layout(location = 0) out vec4 ray_origin;
@@ -17,7 +18,7 @@ layout(location = 1) out vec4 ray_direction;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     SurfacePoint from;
     from.a = triangle_corner(hit.triangle, 0);
     from.b = triangle_corner(hit.triangle, 1);

@@ -4,11 +4,12 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 
 void main() {
-    if (is_hit(unpack_hit(texelFetch(hits, ivec2(gl_FragCoord.xy), 0)))) {
+    if (is_hit(hit_at(hits, ivec2(gl_FragCoord.xy)))) {
         discard;
     }
 }

@@ -4,12 +4,13 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "light/materials.glsl"
 
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 
 void main() {
-    Hit hit = unpack_hit(texelFetch(hits, ivec2(gl_FragCoord.xy), 0));
+    Hit hit = hit_at(hits, ivec2(gl_FragCoord.xy));
     if (triangle_material(hit.triangle).mirror) {
         discard;
     }

@@ -4,6 +4,7 @@
 #include "core/ray.glsl"
 #include "core/hit.glsl"
 #include "core/texels.glsl"
+#include "core/hit_texels.glsl"
 #include "core/triangles.glsl"
 #include "light/materials.glsl"
 #include "core/vector.glsl"
@@ -14,7 +15,7 @@
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform usampler2D hits;
+uniform usampler2DArray hits;
 uniform vec3 background;
 
 out vec4 color;
@@ -22,6 +23,6 @@ out vec4 color;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Hit hit = unpack_hit(texelFetch(hits, pixel, 0));
+    Hit hit = hit_at(hits, pixel);
     color = vec4(is_hit(hit) ? color_of_hit(ray, hit) : background, 1.0);
 }

@@ -1,6 +1,6 @@
 #version 410 core
-// One launch of a walk. The first one starts it; each other goes on where the last one stopped,
-// with the hit that it had (the paper's `lasthit`).
+// The walks of all rays, each to its end where the platform's loops can bear it. One that is longer
+// leaves no mark: pass/trace/resume.frag walks it in several launches.
 #include <real>
 #include "core/ray.glsl"
 #include "core/hit.glsl"
@@ -9,36 +9,25 @@
 #include "core/triangles.glsl"
 #include "core/vector.glsl"
 #include <triangle>
-#include <observer>
+#include "observer/none.glsl"
 #include <structure>
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
-uniform bool first_launch;
-uniform usampler2D last_hits;
-uniform usampler2D last_places;
-uniform usampler2D last_observations;
 uniform float near_enough; // a hit at most this far ends the walk: see core/queries.glsl
 uniform int rounds;        // what the platform's loops can bear in one launch
 
-layout(location = 0) out uvec4 hit_texel;
-layout(location = 1) out uvec4 place_texel;
-layout(location = 2) out uvec4 observation_texel; // drawn only where an observer is at work
+out uvec4 hit_texel;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
-    Walk walk;
-    if (first_launch) {
-        walk = start_walk(ray);
-    } else {
-        walk = unpack_walk(texelFetch(last_hits, pixel, 0), texelFetch(last_places, pixel, 0));
-        observe_from(texelFetch(last_observations, pixel, 0));
-    }
+    Walk walk = start_walk(ray);
     if (!walk.ended) {
         walk = go_on(walk, ray, near_enough, rounds);
     }
+    if (!walk.ended) {
+        discard;
+    }
     hit_texel = pack_hit(walk.nearest);
-    place_texel = pack_place(walk);
-    observation_texel = observations();
 }

@@ -33,14 +33,15 @@ TEST_CASE("of ten thousand copies of a triangle the first is hit by every BVH wa
                                 {{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, no_end}};
     const mirror::SceneBuffers buffers(scene);
     for (const BvhSplit split : all_splits) {
-        const PackedStructure packed = pack(bvh_for(scene, rays, with_split(split)), scene.corners);
-        for_each_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
-            for (const int rounds : {whole_walk, 100}) {
-                for (const Hit& hit : hits_by(mirror, rays, rounds)) {
-                    CAPTURE(name, static_cast<int>(split), rounds);
-                    CHECK(hit.triangle == 0);
-                }
-            }
-        });
+        const Bvh bvh = bvh_for(scene, rays, with_split(split));
+        for_each_walk(buffers, bvh, scene.corners,
+                      [&](const std::string& name, const auto& mirror) {
+                          for (const int rounds : {whole_walk, 100}) {
+                              for (const Hit& hit : hits_by(mirror, rays, rounds)) {
+                                  CAPTURE(name, static_cast<int>(split), rounds);
+                                  CHECK(hit.triangle == 0);
+                              }
+                          }
+                      });
     }
 }

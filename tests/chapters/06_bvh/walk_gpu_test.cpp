@@ -13,7 +13,7 @@ TEST_CASE("no triangle and one are answered by every BVH walk on the GPU", "[06]
     const std::vector<Ray> rays{{{0, 0, -1}, {0, 0, 1}, 0.0f, no_end},
                                 {{5, 0, -1}, {0, 0, 1}, 0.0f, no_end}};
     for (const std::string walk :
-         {"bvh_skip", "bvh_skip_padded", "bvh_ordered", "bvh_parent", "bvh_stack"}) {
+         {"bvh_skip", "bvh_skip_padded", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"}) {
         CAPTURE(walk);
         const std::vector<Hit> hits = gpu_hits_of(one, rays, walk);
         CHECK(hits[0].triangle == 0);

@@ -98,15 +98,15 @@ TEST_CASE("a launch of a BVH walk keeps to its rounds and comes farther", "[06]"
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 400));
     const mirror::SceneBuffers buffers(scene);
-    const PackedStructure packed =
-        pack(build_bvh(scene.corners, with_long_leaves()), scene.corners);
+    const Bvh bvh = build_bvh(scene.corners, with_long_leaves());
     for (const RayFamily& family : ray_families(numbers, scene.corners, 100)) {
-        for_each_counted_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
-            for (const int rounds : {1, 2, 7}) {
-                CAPTURE(family.name, name, rounds);
-                CHECK(faults_of_launches(mirror, family.rays, rounds).empty());
-            }
-        });
+        for_each_counted_walk(
+            buffers, bvh, scene.corners, [&](const std::string& name, const auto& mirror) {
+                for (const int rounds : {1, 2, 7}) {
+                    CAPTURE(family.name, name, rounds);
+                    CHECK(faults_of_launches(mirror, family.rays, rounds).empty());
+                }
+            });
     }
 }
 
@@ -137,11 +137,11 @@ TEST_CASE("a BVH walk that takes any hit stops where there is one and only there
     RandomNumbers numbers(seed);
     const Scene scene = scene_of(random_triangles(numbers, 200));
     const mirror::SceneBuffers buffers(scene);
-    const PackedStructure packed = pack(build_bvh(scene.corners, {}), scene.corners);
+    const Bvh bvh = build_bvh(scene.corners, {});
     const std::vector<Ray> rays = segments(numbers, scene.corners, 2000);
     const std::vector<Hit> nearest = hits_by(mirror::mirror_of<EveryTriangle>(buffers), rays);
     CHECK(count_hits(nearest) > 500);
-    for_each_counted_walk(buffers, packed, [&](const std::string& name, auto mirror) {
+    for_each_counted_walk(buffers, bvh, scene.corners, [&](const std::string& name, auto mirror) {
         using Mirror = decltype(mirror);
         std::size_t wrong = 0;
         unsigned tests_for_any = 0;
@@ -167,9 +167,9 @@ TEST_CASE("rays that are nonsense end in every BVH walk", "[06]") {
     RandomNumbers numbers(45);
     const Scene scene = scene_of(random_triangles(numbers, 100));
     const mirror::SceneBuffers buffers(scene);
-    const PackedStructure packed = pack(build_bvh(scene.corners, {}), scene.corners);
+    const Bvh bvh = build_bvh(scene.corners, {});
     const std::vector<Ray> rays = nonsense_rays();
-    for_each_walk(buffers, packed, [&](const std::string& name, const auto& mirror) {
+    for_each_walk(buffers, bvh, scene.corners, [&](const std::string& name, const auto& mirror) {
         CAPTURE(name);
         const std::vector<Hit> hits = hits_by(mirror, rays);
         CHECK(count_impossible(hits, rays, triangle_count(scene)) == 0);

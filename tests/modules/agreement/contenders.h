@@ -13,7 +13,8 @@
 
 namespace raysteps {
 
-// All structures but the loop, each with its program, compiled once. A context must be current.
+// All structures but the loop, and the packets, each with its program, compiled once. A context
+// must be current.
 class Contenders {
 public:
     // The rounds of a launch are given as TraceRays takes them: the limits of the platform, or
@@ -24,6 +25,9 @@ public:
             if (part.name != "every_triangle") {
                 tracers_.emplace(part.name, tracer(part.name, rounds));
             }
+        }
+        for (const NamedPart& part : list_parts("packet")) {
+            tracers_.emplace(part.name, tracer(part.name, rounds));
         }
     }
 
@@ -48,7 +52,8 @@ public:
     // By the name of the structure.
     std::map<std::string, std::vector<Hit>> hits_of_all(const Built& built,
                                                         std::span<const Ray> rays) {
-        const RayTextures textures = upload_rays(rays);
+        RayTextures textures = upload_rays(rays);
+        textures.coherence = Coherence::neighbours; // for packets
         std::map<std::string, std::vector<Hit>> hits;
         for (auto& [name, tracer] : tracers_) {
             const SceneTextures& scene = built.at(family_of(name).name);
@@ -65,9 +70,7 @@ public:
 private:
     template <class Rounds>
     static TraceRays tracer(const std::string& structure, const Rounds& rounds) {
-        return {{{"triangle", "triangle/watertight.glsl"},
-                 {"structure", find_part("structure", structure)}},
-                rounds};
+        return {walk_parts("watertight", structure), rounds, Packets::always};
     }
 
     TraceRays loop_;

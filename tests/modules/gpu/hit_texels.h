@@ -15,7 +15,8 @@ inline raysteps::Texture hit_texels(int width, int height,
             texels.emplace_back(0u, 0u, 0u, static_cast<unsigned>(triangle(column, row)));
         }
     }
-    raysteps::Texture texture(raysteps::TexelFormat::rgba32ui, width, height);
+    raysteps::Texture texture(raysteps::TexelFormat::rgba32ui, width, height,
+                              raysteps::TexelLayout::one_layer);
     write_texels(texture, texels);
     return texture;
 }

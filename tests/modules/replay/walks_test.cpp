@@ -60,7 +60,7 @@ TEST_CASE("a recorded walk is what the GPU counts and finds for the same ray", "
                         2048);
         const SceneTextures on_gpu = upload(scene, replayed.built);
         const std::vector<Hit> hits = read_hits(trace.closest_hits(textures, on_gpu), rays.size());
-        const std::vector<glm::uvec4> counted = read_integers(*trace.observations());
+        const std::vector<glm::uvec4> counted = read_list(*trace.observations(), rays.size());
         const std::vector<WalkCount> counts = replayed.recorder.count(rays);
         std::size_t different_hits = 0;
         std::size_t different_counts = 0;
@@ -155,7 +155,8 @@ TEST_CASE("a box that a BVH walk enters holds the ray as long as the step says",
     RandomNumbers numbers(seed);
     const Scene scene = sphere_with_triangles(seed);
     const std::vector<Ray> rays = rays_at_triangles(numbers, scene.corners, 200);
-    for (const std::string structure : {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack"}) {
+    for (const std::string structure :
+         {"bvh_skip", "bvh_ordered", "bvh_parent", "bvh_stack", "bvh4"}) {
         CAPTURE(structure);
         const Replayed replayed(scene, structure, reach_of(rays, scene.corners));
         std::size_t entered = 0;

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 using namespace raysteps;
@@ -45,6 +46,28 @@ TEST_CASE("a written walk has the model and each step with its sentence and box"
         }
         CHECK(tests == walk.tests.size());
         CHECK(file["ending"] == ending_of(walk));
+    }
+}
+
+TEST_CASE("a written walk has the box of each part of the structure that lists a triangle",
+          "[visualizer][walk_file]") {
+    const ScratchFolder folder("visualizer_walk_file_boxes");
+    for (const std::string structure : {"every_triangle", "grid", "kd_ropes", "bvh_ordered"}) {
+        CAPTURE(structure);
+        const State state = mirrors_state(structure);
+        Stage stage;
+        stage.show(state);
+        const std::vector<Cell>& cells = stage.panes().front()->cells.cells;
+        const auto listing = std::count_if(cells.begin(), cells.end(),
+                                           [](const Cell& cell) { return cell.triangles > 0; });
+        const nlohmann::json boxes = written(stage, state, folder)["boxes"];
+        REQUIRE(boxes.size() == static_cast<std::size_t>(listing));
+        CHECK(boxes.empty() == (structure == "every_triangle"));
+        for (const nlohmann::json& box : boxes) {
+            for (int axis = 0; axis < 3; ++axis) {
+                CHECK(box[0][axis].get<double>() <= box[1][axis].get<double>());
+            }
+        }
     }
 }
 

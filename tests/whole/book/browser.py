@@ -21,13 +21,20 @@ SWITCHES = ("--headless=new", "--disable-dev-shm-usage", "--use-angle=swiftshade
             "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--hide-scrollbars")
 
 
+def leave_without(*programs):
+    """Ends the program where one of these is missing."""
+    for program in programs:
+        if not shutil.which(program):
+            print(f"book: not tested in a browser, because {program} is missing.")
+            sys.exit(NOT_RUN)
+
+
 def leave_if_missing():
     """Ends the program where there is no book or no browser."""
-    for what, is_there in (("the book", SITE.exists()), ("chromium", shutil.which("chromium")),
-                           ("chromedriver", shutil.which("chromedriver"))):
-        if not is_there:
-            print(f"book: not tested in a browser, because {what} is missing.")
-            sys.exit(NOT_RUN)
+    if not SITE.exists():
+        print("book: not tested in a browser, because the book is missing.")
+        sys.exit(NOT_RUN)
+    leave_without("chromium", "chromedriver")
 
 
 def start_browser():

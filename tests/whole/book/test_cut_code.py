@@ -52,6 +52,10 @@ class CutCode(unittest.TestCase):
         lines, _ = cut(CODE, "steps_of")
         self.assertEqual(lines, ["int steps_of(int rounds) {", "    // exercise 4.3", "}"])
 
+    def test_an_exercise_that_is_a_whole_function_is_left_out(self):
+        lines, _ = cut("//# exercise 4.3: all\nint all() {\n    return 7;\n}\n//# stub: int all();\n//# end\n", "all")
+        self.assertEqual(lines, ["// exercise 4.3"])
+
     def test_a_name_that_is_gone_is_an_error(self):
         for name in ("merged", "is_empty", "secret", "lower"):
             with self.assertRaisesRegex(BookError, f"no struct {name}"):

@@ -37,6 +37,17 @@ class Pages(FolderTest):
         self.assertIn('<li id="L2">int &lt;b&gt;;</li>',
                       (self.folder / "out/source/common/a.h.html").read_text())
 
+    def test_a_source_shows_a_solution_only_to_who_asks(self):
+        self.write("common/a.cpp", "int a() {\n    //# exercise 4.3: a\n    return 7;\n    //# stub: return 0;\n"
+                   "    //# end\n}\n")
+        self.made("[a](../../common/a.cpp)")
+        page = (self.folder / "out/source/common/a.cpp.html").read_text()
+        folded = re.search("<details><summary>exercise 4.3: show the solution</summary>(.*?)</details>", page).group(1)
+        self.assertIn('<li id="L3">    return 7;</li>', folded)
+        self.assertNotIn("return 7", page.replace(folded, ""))
+        self.assertEqual([int(n) for n in re.findall('id="L(\\d+)"', page)], [1, 2, 3, 4, 5, 6])
+        self.assertIn('<ol start="6"><li id="L6">}</li></ol>', page)
+
     def test_a_link_into_nowhere_is_an_error_with_its_line(self):
         with self.assertRaisesRegex(BookError, r"README.md:3: \.\./gone.md leads to .*gone.md"):
             self.made("a\n\n[b](../gone.md)")
@@ -47,6 +58,28 @@ class Pages(FolderTest):
         self.assertEqual(self.made("![p](expected.png)"),
                          "![p](pictures/chapters_04_a_expected.png)")
         self.assertEqual((self.folder / "out/pictures/chapters_04_a_expected.png").read_text(), "new")
+
+    def test_a_drawing_that_moves_names_the_script_with_its_moments(self):
+        self.write("chapters/04_a/drawings/d.svg", "<svg/>")
+        self.write("chapters/04_a/drawings/d.py", "ALT, HEIGHT, SENTENCES = 'a', 50, []\n"
+                   "MOVES = ('at {}', [1, 2, 3], 2)\n"
+                   "def draw(canvas, lesson, x):\n"
+                   "    canvas.line((0, 0), (9, 9))\n"
+                   "    canvas.text((x * 9, 9), str(x))\n")
+        script = "pictures/chapters_04_a_drawings_d.js"
+        self.assertEqual(self.made("![a](drawings/d.svg)"),
+                         f'![a](pictures/chapters_04_a_drawings_d.svg){{ data-moving="{script}" }}')
+        name, _, moments = (self.folder / "out" / script).read_text().partition(" = ")
+        moments = json.loads(moments.rstrip(";\n"))
+        self.assertIn(script, name)
+        self.assertEqual((moments["words"], moments["still"]), (["at 1", "at 2", "at 3"], 1))
+        self.assertEqual(moments["svg"].count("<polyline"), 1, "what all moments have stands once")
+
+    def test_a_drawing_that_stands_still_is_a_picture(self):
+        self.write("chapters/04_a/drawings/d.svg", "<svg/>")
+        self.write("chapters/04_a/drawings/d.py", "ALT, HEIGHT, SENTENCES = 'a', 50, []\n"
+                   "def draw(canvas, lesson):\n    canvas.text((9, 9), 'a')\n")
+        self.assertEqual(self.made("![a](drawings/d.svg)"), "![a](pictures/chapters_04_a_drawings_d.svg)")
 
     def test_a_function_stands_where_it_is_named(self):
         self.write("shaders/a.glsl", "int one() {\n    return 1;\n}\n")
@@ -113,7 +146,8 @@ class Contents(unittest.TestCase):
         shown = set()
         for path in page_names(ROOT):
             for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", (ROOT / path).read_text()):
-                shown.add(os.path.normpath(path.parent / target))
+                if "drawings/" not in target:  # test_drawings makes these again
+                    shown.add(os.path.normpath(path.parent / target))
         self.assertGreaterEqual(len(shown), 10)
         self.assertEqual(shown - made, set())
         self.assertEqual(made - shown, set())

@@ -1,0 +1,78 @@
+// Chapter 10: what makes a walk fast, step by step, and Embree beside it.
+// load_scene -> climb -> table, chart; count_visits -> draw_blocks -> picture
+#include "climb_report.h"
+#include "program/figures.h"
+#include "program/show.h"
+
+#include <iostream>
+
+using namespace raysteps;
+
+namespace {
+
+const std::vector<std::string> full_scenes{"bunny", "knot:8", "stadium:8", "sphereflake:4",
+                                           "mount:8"};
+constexpr int full_side = 512;
+
+// The walks whose blocks are drawn: the first and the last that an observer can watch.
+const std::vector<std::string> drawn_walks{"bvh_skip", "bvh4"};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Options options("10_speed",
+                    "Chapter 10: what makes a walk fast, step by step, and Embree beside it.");
+    PictureOptions picture{.scene = "bunny", .size = {256, 256}};
+    std::vector<std::string> scenes;
+    ClimbRequest request;
+    std::string embree = "auto";
+    bool full = false;
+    add_picture_options(options, picture);
+    options.list("--scenes", scenes, "the scenes to climb in, between commas, in place of --scene");
+    options.flag("--full", full,
+                 "five scenes (bunny, knot:8, stadium:8, sphereflake:4, mount:8) at 512 x 512: "
+                 "takes some minutes");
+    options.number("--rounds", request.rounds,
+                   "how often each step is measured, after one round that is dropped", 1, 1000);
+    options.text("--embree", embree, "auto, robust, fast or off");
+    options.excludes("--full", {"--scene", "--scenes", "--window"});
+    options.excludes("--scenes", {"--scene", "--window"});
+    return options.run(argc, argv, [&] {
+        if (full) {
+            scenes = full_scenes;
+            picture.size =
+                options.given("--size") ? picture.size : PictureSize{full_side, full_side};
+        } else if (scenes.empty()) {
+            scenes = {picture.scene};
+        }
+        request.embree = parse_embree(embree);
+        request.width = picture.size.width;
+        request.height = picture.size.height;
+        const Scene first = load_scene(picture, scenes.front());
+        const auto context = open_context(picture);
+        const Limits limits = measure_limits();
+        show_or_write(picture, *context, first.camera, "rounds",
+                      [&](const Camera& camera, int width, int height) {
+                          return draw_blocks(
+                              count_visits(first, drawn_walks, limits, camera, width, height));
+                      });
+        if (picture.window) {
+            return;
+        }
+        std::map<std::string, TraceRays> walks = make_step_walks(limits);
+        std::vector<ClimbedScene> climbed;
+        FiguresHead head{.schema = "climb.schema.json"};
+        for (const std::string& name : scenes) {
+            const Scene scene = name == scenes.front() ? first : load_scene(picture, name);
+            head.scenes.push_back(record_of(scene));
+            climbed.push_back(
+                climb(scene, walks, limits, request, show_progress("climbing in " + name)));
+            std::cout << to_table(climbed.back(), yardstick_of(request)) << std::flush;
+        }
+        draw_climb(picture.out / "climb.png", climbed, yardstick_of(request));
+        print_written(picture.out / "climb.png");
+        draw_lanes(picture.out / "lanes.png", climbed.front());
+        print_written(picture.out / "lanes.png");
+        write_figures(picture.json, head, to_numbers(climbed, request));
+    });
+}

@@ -1,0 +1,39 @@
+#include "basics/timed.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/bvh/bvh4.h"
+#include "structure/bvh/family_bvh.h"
+
+namespace raysteps {
+
+namespace {
+
+// A node of four boxes is seven fetches, and costs less than a test of a triangle for each box: so
+// leaves are smaller than in a binary tree.
+BvhOptions for_four_boxes() {
+    BvhOptions options;
+    options.leaf_triangles = 4;
+    options.traversal_cost = 1.0;
+    return options;
+}
+
+BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+    const BvhOptions options = bvh_options_of(request, for_four_boxes());
+    const auto [binary, seconds] = timed([&] { return build_bvh(corners, options); });
+    const auto [bvh, more_seconds] = timed([&, &binary = binary] { return collapse(binary); });
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh4(bvh, options), corners.size() / 3, built.packed,
+                           seconds + more_seconds);
+    built.facts.insert(built.facts.begin() + 1, {"collapse_seconds", more_seconds});
+    return built;
+}
+
+} // namespace
+
+// Serves structure/bvh/bvh4.glsl: the tree of the family `bvh`, with its options, but up to four
+// children a node.
+StructureFamily family_bvh4() {
+    return {"bvh4", bvh_build_options(for_four_boxes()), build};
+}
+
+} // namespace raysteps

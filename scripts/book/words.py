@@ -1,0 +1,103 @@
+"""Links the words of the glossary: each at its first use in a lesson, with its meaning for a tooltip.
+
+The glossary's first column has the word; what follows a comma is another form of it. Where a word means other things
+as well, a comment names the phrases in which it means this, with # for any number: `slip <!-- *slip*, slip # -->`. A word in backticks is
+one of GLSL, and is linked where it stands as code by itself."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+GLOSSARY = Path("docs/book/glossary.md")
+PAGE = "glossary.md"
+ROW = re.compile(r"^\| (.+?) \| (.+?) \| .+ \|$")
+PHRASES = re.compile(r"<!-- (.+?) -->")
+# Where no word is linked: headings, rows that head a table, summaries, tags, formulas, code, links and pictures.
+BARRED = re.compile(
+    r"^#[^\n]*$|^\|[^\n]*\n(?=\|[ -|:]*---)|<summary>.*?</summary>|<[^<>]+>|\$\$.+?\$\$|\$[^$]+\$|(?P<ticks>`+).+?(?P=ticks)"
+    r"|!?\[[^\[\]]*\]\([^()]*\)(?:\{[^{}]*\})?", re.MULTILINE | re.DOTALL)
+UNREAD = re.compile(r"^## (?:Sources|Symbols)\n.*?(?=^## |\Z)", re.MULTILINE | re.DOTALL)
+
+
+@dataclass
+class Word:
+    name: str  # as the glossary has it
+    anchor: str
+    meaning: str
+    pattern: re.Pattern
+    is_code: bool
+
+
+def _plural(form):
+    if form.endswith("leaf"):
+        return f"{form}|{form[:-1]}ves"
+    if form.endswith(("s", "x", "sh", "ch")):
+        return f"{form}(?:es)?"
+    return f"{form[:-1]}(?:y|ies)" if re.search("[^aeiou]y$", form) else f"{form}s?"
+
+
+def _pattern(forms, is_code, is_exact):
+    found = []
+    for form in sorted(forms, key=len, reverse=True):
+        spaced = r"\s+".join(map(re.escape, form.split())).replace(r"\#", r"\d+")
+        found.append(f"`{spaced}`" if is_code else spaced if is_exact else _plural(spaced))
+    start, end = ("", "") if is_code else (r"(?<![\w`-])", r"(?![\w`-])")
+    case = re.IGNORECASE if not any(form.isupper() for form in forms) else re.NOFLAG
+    return re.compile(f"{start}(?:{'|'.join(found)}){end}", case)
+
+
+def plain(meaning):
+    """What a tooltip can show: words alone."""
+    return re.sub(r"\[([^\]]*)\]\([^)]*\)|[$`*{}]", r"\1", meaning).replace('"', "'")
+
+
+def words_of(text):
+    """The words of a glossary's text, in its order."""
+    found = []
+    for row in filter(None, map(ROW.match, text.split("\n")[1:])):
+        cell, meaning = row.groups()
+        if cell in ("word", "---"):
+            continue
+        phrases = PHRASES.search(cell)
+        name = re.sub(r"<!--.*?-->|\(.*?\)", "", cell).strip()
+        forms = [form.strip(" `") for form in (phrases.group(1) if phrases else name).split(",")]
+        is_code = name.startswith("`")
+        anchor = re.sub(r"\W+", "-", name.split(",")[0].strip("`")).lower()
+        found.append(Word(name, anchor, plain(meaning), _pattern(forms, is_code, phrases), is_code))
+    return found
+
+
+def _barred(text):
+    """The text with all that must not be linked blanked out; what is code by itself stays."""
+    def blank(found):
+        return found.group() if re.fullmatch(r"`\w+`", found.group()) else re.sub(r"[^\n]", "\0", found.group())
+    return BARRED.sub(blank, UNREAD.sub(blank, text))
+
+
+def link_words(lines, code, words):
+    """The lines with each word linked once. `code` says of each line whether it is one of code."""
+    text = "\n".join(lines)
+    readable = _barred("\n".join("\0" * len(line) if is_code else line for line, is_code in zip(lines, code)))
+    found = []
+    for word in sorted(words, key=lambda word: -len(word.name)):
+        first = word.pattern.search(readable)
+        if first:
+            begin, end = first.span()
+            found.append((begin, end, word))
+            readable = readable[:begin] + "\0" * (end - begin) + readable[end:]
+    for begin, end, word in sorted(found, key=lambda one: one[0], reverse=True):
+        link = f'[{text[begin:end]}]({PAGE}#{word.anchor}){{ .word data-meaning="{word.meaning}" }}'
+        text = text[:begin] + link + text[end:]
+    return text.split("\n")
+
+
+def with_anchors(lines):
+    """The glossary's own lines, with a place to link to in each row."""
+    anchors = iter(words_of("\n".join(lines)))
+    made = []
+    for line in lines:
+        row = ROW.match(line)
+        if row and row.group(1) not in ("word", "---"):
+            line = f'| <span id="{next(anchors).anchor}"></span>{line[2:]}'
+        made.append(line)
+    return made
