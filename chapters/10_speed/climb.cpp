@@ -3,6 +3,7 @@
 #include "gpu/context.h"
 #include "measure/judge.h"
 #include "measure/scene_costs.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ const SceneTextures& built_for(const BuiltFamilies& built, const std::string& st
 }
 
 BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     BuiltFamilies built;
     for (const std::string& structure : structures) {
         const StructureFamily family = family_of(structure);

@@ -3,6 +3,7 @@
 #include "basics/timed.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
+#include "scene/view.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
 
@@ -27,7 +28,7 @@ constexpr int rounds = 3;
 
 bool measure(const std::string& structure, const TraceBatch& trace) {
     const Scene scene = add_mesh({}, sphere(glm::vec3(0.0f), 1.5f, 16), Material{});
-    const float reach = reach_of(scene.camera.eye, scene.corners);
+    const float reach = reach_of(origins_of(scene.camera), scene.corners);
     const SceneTextures textures =
         upload(scene, family_of(structure).build(scene.corners, {.reach = reach}));
     const RayTextures rays =
