@@ -45,15 +45,6 @@ int OctantPlaces::in_first_octant(int place) {
     return here;
 }
 
-template <class Mirror>
-int triangles_from(Mirror& mirror, int first) {
-    int count = 1;
-    while (!mirror.bvh_triangle(first + count - 1).last) {
-        ++count;
-    }
-    return count;
-}
-
 Ending box_ending(const RecordedWalk& walk) {
     if (walk.steps.empty()) {
         return Ending::no_way_in;
@@ -99,6 +90,14 @@ struct ExplainBox {
 
     Ending ending(const RecordedWalk& walk) const { return box_ending(walk); }
 
+    static int triangles_from(Mirror& mirror, int first) {
+        int count = 1;
+        while (!mirror.bvh_triangle(first + count - 1).last) {
+            ++count;
+        }
+        return count;
+    }
+
     float t_max;
     typename Mirror::BoxRay boxes;
     OctantPlaces places;
@@ -114,17 +113,17 @@ struct ExplainFourBoxes {
                      const RecorderInput& input)
         : t_max(mirror_ray.t_max), boxes(mirror.box_ray(mirror_ray)) {
         for (const Bvh4Child& child : bvh4_children_of(input.packed)) {
-            if (child.parent == 0) {
-                root = merge(root, child.box);
+            if (child.parent == root.cell) {
+                root.box = merge(root.box, child.box);
             }
-            known[child.link] = {child.cell, child.box};
+            known[child.link] = child;
         }
     }
 
     Step visit(Mirror& mirror, int place, const typename Mirror::Hit& nearest) const {
         const bool leaf = mirror.is_bvh4_leaf(place);
         const int link = leaf ? place : mirror.bvh4_node(place);
-        const Known here = link == 0 ? Known{0, root} : known.at(link);
+        const Bvh4Child here = link == 0 ? root : known.at(link);
         auto first = here.box.lower;
         auto last = here.box.upper;
         for (int axis = 0; axis < 3; ++axis) {
@@ -139,7 +138,7 @@ struct ExplainFourBoxes {
         step.exit = span.exit;
         if (leaf) {
             step.outcome = Outcome::leaf;
-            step.listed = triangles_from(mirror, mirror.bvh4_first_triangle(place));
+            step.listed = here.triangles;
         } else if (!(span.entry <= span.exit)) {
             step.outcome = Outcome::missed;
         } else if (span.entry > nearest.t) {
@@ -157,15 +156,10 @@ struct ExplainFourBoxes {
 
     Ending ending(const RecordedWalk& walk) const { return box_ending(walk); }
 
-    struct Known {
-        int cell = no_cell;
-        Box box;
-    };
-
     float t_max;
     typename Mirror::BoxRay boxes;
-    Box root;
-    std::unordered_map<int, Known> known; // by the link that leads there
+    Bvh4Child root{.cell = 0};                // which no link leads to
+    std::unordered_map<int, Bvh4Child> known; // by their links
 };
 
 template <template <class, class> class Walk>

@@ -99,11 +99,9 @@ StructureCells tree_cells_of(const PackedStructure& packed) {
 // The nodes of four children, then the leaves. A node's own box stands in its parent; that of the
 // root holds those of its children.
 StructureCells wide_cells_of(const PackedStructure& packed) {
-    mirror::walks::bvh4<float> mirror{};
-    mirror.read(packed);
     StructureCells tree;
     tree.kind = CellKind::bvh;
-    tree.cells.resize(static_cast<std::size_t>(mirror.bvh_node_count));
+    tree.cells.resize(static_cast<std::size_t>(packed.numbers.at("bvh_node_count")));
     for (const Bvh4Child& child : bvh4_children_of(packed)) {
         if (child.leaf) {
             tree.cells.emplace_back();
@@ -112,13 +110,11 @@ StructureCells wide_cells_of(const PackedStructure& packed) {
         cell.box = child.box;
         cell.parent = child.parent;
         cell.leaf = child.leaf;
+        cell.triangles = child.triangles;
         if (child.parent == 0) {
             Box& root = tree.cells[0].box;
             root = merge(root, child.box);
             tree.cells[0].leaf = false;
-        }
-        if (child.leaf) {
-            cell.triangles = triangles_from(mirror, mirror.bvh4_first_triangle(child.link));
         }
     }
     return tree;
@@ -169,6 +165,9 @@ std::vector<Bvh4Child> bvh4_children_of(const PackedStructure& packed) {
             for (int axis = 0; axis < 3; ++axis) {
                 child.box.lower[axis] = mirror.bvh4_planes(8 * node + 2 * axis)[i];
                 child.box.upper[axis] = mirror.bvh4_planes(8 * node + 2 * axis + 1)[i];
+            }
+            if (child.leaf) {
+                child.triangles = triangles_from(mirror, mirror.bvh4_first_triangle(child.link));
             }
             children.push_back(child);
         }

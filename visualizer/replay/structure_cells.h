@@ -55,6 +55,7 @@ struct Bvh4Child {
     int cell = no_cell;
     int link = 0;
     bool leaf = false;
+    int triangles = 0; // of a leaf
 };
 
 // All of them, node by node.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <string>
 
 namespace raysteps {
@@ -54,6 +55,12 @@ Opened open(const Bvh& bvh, std::int32_t branch) {
     return opened;
 }
 
+// A branch of the binary tree that becomes a node, and the child that leads to it.
+struct Bvh4Branch {
+    std::int32_t root = 0;
+    std::int32_t child = no_bvh4_node;
+};
+
 } // namespace
 
 Bvh4 collapse(const Bvh& bvh) {
@@ -61,26 +68,30 @@ Bvh4 collapse(const Bvh& bvh) {
     wide.order = bvh.order;
     wide.padding = bvh.padding;
     wide.leaf_triangles = bvh.leaf_triangles;
-    std::vector<std::int32_t> branches; // of the binary tree, one for each node
-    branches.reserve(bvh.nodes.size() / 2 + 1);
     wide.parents.reserve(bvh.nodes.size() / 2 + 1);
     wide.children.reserve(bvh4_width * (bvh.nodes.size() / 2 + 1));
+    std::vector<Bvh4Branch> branches;
     if (!bvh.nodes.empty()) {
-        branches.push_back(0);
-        wide.parents.push_back(no_bvh4_node);
+        branches.push_back({0, no_bvh4_node});
     }
-    for (std::size_t i = 0; i < branches.size(); ++i) {
-        const Opened opened = open(bvh, branches[i]);
-        for (std::size_t k = 0; k < opened.count; ++k) {
-            BvhNode child = bvh.nodes[static_cast<std::size_t>(opened.nodes[k])];
-            if (!is_leaf(child)) {
-                child.first = static_cast<std::int32_t>(branches.size());
-                branches.push_back(opened.nodes[k]);
-                wide.parents.push_back(static_cast<std::int32_t>(wide.children.size()));
-            }
-            wide.children.push_back(child);
+    while (!branches.empty()) { // the last one first: what is near in the tree is so in memory
+        const Bvh4Branch branch = branches.back();
+        branches.pop_back();
+        if (branch.child != no_bvh4_node) {
+            wide.children[static_cast<std::size_t>(branch.child)].first =
+                static_cast<std::int32_t>(wide.parents.size());
         }
-        wide.children.resize(bvh4_width * (i + 1), {{}, no_bvh4_node, 0});
+        wide.parents.push_back(branch.child);
+        const Opened opened = open(bvh, branch.root);
+        const std::size_t first = wide.children.size();
+        wide.children.resize(first + bvh4_width, {{}, no_bvh4_node, 0});
+        for (std::size_t i = opened.count; i-- > 0;) {
+            const BvhNode& child = bvh.nodes[static_cast<std::size_t>(opened.nodes[i])];
+            wide.children[first + i] = child;
+            if (!is_leaf(child)) {
+                branches.push_back({opened.nodes[i], static_cast<std::int32_t>(first + i)});
+            }
+        }
     }
     return wide;
 }
