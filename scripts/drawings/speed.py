@@ -1,5 +1,6 @@
-"""One number that grows through the lessons: million primary rays of the bunny per second, as bars. Each lesson that earns a
-number says it in a sentence, and the drawings of this and all later lessons read it there."""
+"""One number that grows through the lessons: million primary rays of the bunny per second, as bars.
+
+Each lesson that earns a number says it in a sentence; the drawings of this and of all later lessons read it there."""
 
 import math
 import re
@@ -16,8 +17,9 @@ WAYS = (
     ("06", "BVH", "good"),
     ("07", "Embree", "quiet"),  # the yardstick of chapter 07: a processor's own ray tracer
 )
-LEAST, MOST = -3, 1  # powers of ten at both ends of the axis
-LEFT, RIGHT, TOP, STEP = 196, 470, 44, 40
+TICKS = ("0.001", "0.01", "0.1", "1", "10")
+LEFT, RIGHT, TOP, STEP, BAR = 196, 470, 44, 40, 28
+HEIGHT = TOP + STEP * len(WAYS) + 56
 
 
 def up_to(chapter):
@@ -27,8 +29,8 @@ def up_to(chapter):
 def alt(chapter):
     names = ", ".join(f"{name} (chapter {number})" for number, name, _ in up_to(chapter))
     return (
-        "Bars on a logarithmic axis: how many million rays of the bunny one processor core traces in a second, up to "
-        f"this chapter, by {names}; the rows of later chapters are empty"
+        "Bars on a logarithmic axis: how many million rays of the bunny one processor core traces in a second, "
+        f"up to this chapter, by {names}; the rows of later chapters are empty"
     )
 
 
@@ -38,31 +40,30 @@ def said(chapter):
     for number, words in SAID.findall(lesson.read_text(encoding="utf-8")):
         if number == chapter:
             return words
-    raise LessonError(f"{lesson}: does not say: **The number of chapter {chapter}: ... million rays per second**")
-
-
-HEIGHT = TOP + STEP * len(WAYS) + 56
+    raise LessonError(
+        f"{lesson}: does not say: **The number of chapter {chapter}: ... million rays per second**"
+    )
 
 
 def draw_up_to(chapter, canvas, lesson):
-    def at(value):
-        part = (math.log10(value) - LEAST) / (MOST - LEAST)
-        return LEFT + part * (RIGHT - LEFT)
+    least, most = (math.log10(float(tick)) for tick in (TICKS[0], TICKS[-1]))
 
+    def at(words):
+        return LEFT + (math.log10(float(words)) - least) / (most - least) * (RIGHT - LEFT)
+
+    lesson.cells += [*TICKS, *(number for number, _, _ in WAYS)]  # what the axis and the rows are called
     bottom = TOP + STEP * len(WAYS)
-    for power, words in ((-3, "0.001"), (-2, "0.01"), (-1, "0.1"), (0, "1"), (1, "10")):
-        x = at(10.0**power)
-        canvas.line((x, TOP - 8), (x, bottom), color="rule", width="thin")
-        canvas.text((x, bottom), words, "s", color="quiet", gap=6)
-    lesson.cells += ["0.001 0.01 0.1 1 10", *(number for number, _, _ in WAYS)]  # of the axis and of its rows
-    shown = up_to(chapter)
+    for tick in TICKS:
+        canvas.line((at(tick), TOP - 8), (at(tick), bottom), color="rule", width="thin")
+        canvas.text((at(tick), bottom), tick, "s", color="quiet", gap=6)
+    canvas.text((14, 18), "million rays per second", "e", gap=0, color="quiet")
     for row, (number, name, color) in enumerate(WAYS):
         y = TOP + STEP * row
-        earned = (number, name, color) in shown
-        canvas.text((14, y + 14), f"{number} {name}" if earned else number, "e", gap=0, color=color if earned else "quiet")
-        if earned:
-            value = said(number)
-            lesson.cells.append(value)
-            canvas.box(LEFT, y, at(float(value)) - LEFT, 28, color=color, filled=True)
-            canvas.text((at(float(value)), y + 14), value, "e", color=color, gap=8)
-    canvas.text((14, 18), "million rays per second", "e", gap=0, color="quiet")
+        if number > chapter:
+            canvas.text((14, y + BAR / 2), number, "e", gap=0, color="quiet")
+            continue
+        value = said(number)
+        lesson.cells.append(value)
+        canvas.text((14, y + BAR / 2), f"{number} {name}", "e", gap=0, color=color)
+        canvas.box(LEFT, y, at(value) - LEFT, BAR, color=color, filled=True)
+        canvas.text((at(value), y + BAR / 2), value, "e", color=color, gap=8)
