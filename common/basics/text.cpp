@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numeric>
 #include <string>
 
@@ -118,6 +119,28 @@ std::string in_quotes(std::string_view word) {
         text += is_printable(character) ? character : '?';
     }
     return text + (word.size() > most_quoted ? "...\"" : "\"");
+}
+
+std::string readable(double number) {
+    const double size = std::abs(number);
+    if (!(size < 1e15)) { // it has no longer all its digits, or is no number
+        return std::to_string(number);
+    }
+    std::array<char, 32> letters{};
+    if (number != std::floor(number) && size < 999.5) {
+        std::snprintf(letters.data(), letters.size(), "%.2e", number);
+        const int power_of_ten = std::stoi(std::string(letters.data()).substr(number < 0 ? 6 : 5));
+        std::snprintf(letters.data(), letters.size(), "%.*f", std::max(0, 2 - power_of_ten),
+                      number);
+        return letters.data();
+    }
+    std::snprintf(letters.data(), letters.size(), "%.0f", number);
+    std::string text = letters.data();
+    const std::size_t sign = number < 0.0 ? 1 : 0;
+    for (std::size_t end = text.size(); end > sign + 3; end -= 3) {
+        text.insert(end - 3, ",");
+    }
+    return text;
 }
 
 std::string shortest_text(float number) {

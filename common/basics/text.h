@@ -54,6 +54,10 @@ std::string listed(const std::vector<std::string_view>& words);
 // printable.
 std::string in_quotes(std::string_view word);
 
+// A number as people read it: whole, and from a thousand on, with commas, 277,255; else with three
+// digits, 2.70 or 0.0398.
+std::string readable(double number);
+
 // The shortest text that reads back to the same float.
 std::string shortest_text(float number);
 

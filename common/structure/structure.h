@@ -53,6 +53,9 @@ struct Fact {
     double value;
 };
 
+// As people read it, with its unit: of `memory_bytes` 1860524 it is "memory 1.86 MB".
+std::string readable(const Fact& fact);
+
 struct BuiltStructure {
     PackedStructure packed;
     std::vector<Fact> facts; // in the order in which they are to be read

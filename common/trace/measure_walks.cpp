@@ -100,7 +100,7 @@ void measure_walks(const std::vector<std::string>& structures, const PictureOpti
     for (const BuildCosts& build : costs.builds) {
         std::cout << "structure " << build.contender << ":";
         for (const Fact& fact : build.facts) {
-            std::cout << " " << fact.name << " " << fact.value;
+            std::cout << (&fact == build.facts.data() ? " " : ", ") << readable(fact);
         }
         std::cout << "\n";
     }

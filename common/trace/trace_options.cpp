@@ -21,14 +21,12 @@ void print_memory(const std::string& what) {
 }
 
 void print_facts(const std::string& structure, const std::vector<Fact>& facts) {
-    std::string separator = ":";
+    std::string line;
     for (const Fact& fact : facts) {
-        std::printf("%s %s %.6g", (separator == ":" ? "structure " + structure + ":" : ",").c_str(),
-                    fact.name.c_str(), fact.value);
-        separator = ",";
+        line += (line.empty() ? "structure " + structure + ": " : ", ") + readable(fact);
     }
-    if (!facts.empty()) {
-        std::printf("\n");
+    if (!line.empty()) {
+        std::printf("%s\n", line.c_str());
         std::fflush(stdout);
     }
 }

@@ -9,7 +9,7 @@ ALT = (
 )
 HEIGHT = 290
 SENTENCES = [
-    "So the paper computes the rays only in the four corners:",
+    "So the paper computes the rays only in the four corners.",
     "with s and t 0 or 1",
 ]
 

@@ -9,7 +9,7 @@ ALT = (
 )
 HEIGHT = 362
 SENTENCES = [
-    "Hang a rectangle before the eye, perpendicular to f, at distance 1.",
+    "Hang the window, a rectangle, before the eye, perpendicular to f, at distance 1.",
     "The program keeps whole sides: `view.right` is $2w\\,\\mathbf r$ and `view.up` is "
     "$2h\\,\\mathbf u$.",
 ]

@@ -11,7 +11,7 @@ HEIGHT = 340
 SENTENCES = [
     "In the drawing u = 0.5 and v = 0.25: half of e_1 and a quarter of e_2 lead from a to the hit, "
     "and a itself weighs 0.25.",
-    "The ray hits the triangle if u \\ge 0, v \\ge 0, u + v \\le 1",
+    "The ray hits the triangle if no weight is negative, u \\ge 0, v \\ge 0, u + v \\le 1",
 ]
 
 A, B, C = (110, 285), (480, 252), (205, 58)

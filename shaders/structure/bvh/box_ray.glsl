@@ -9,8 +9,8 @@
 //
 // Along an axis where the ray does not go, it is its place that decides: inside, the first plane
 // lies before everything and the last one behind. Nothing is divided by zero for it: such a ray
-// goes as fast as numbers can, and the origin is moved outwards by a hair, so that even a ray in
-// the very plane of a side has a distance from it, and (plane - origin) * inverse is large. At a
+// creeps as slowly as numbers can, and the origin is moved away from the plane by a hair, so even
+// in the very plane of a side it has a distance, and (plane - origin) * inverse is large. At a
 // box that is padded the distance is 9 e M or more, so |t| is over 2^107 M, and a ray with a
 // component over 2^-60 has no hit beyond 2^60 M. A component under 2^-126 counts as none, since a
 // GPU may flush it: beside one over 2^-60 it moves no hit by e M. Of a ray with only smaller
