@@ -18,10 +18,12 @@ HEADINGS = (26.66, 20.83, 16.66)  # sizes of letters
 LEAST = 10  # pieces of text on a page that is not blank
 LOOK = """
 const limit = document.documentElement.clientWidth;
+// (The space at which words of a line are parted may hang beyond its end: so of words alone nothing is asked.)
 const seen = (selector) => [...document.querySelectorAll(selector)].filter((e) => e.getClientRects().length > 0);
 return {
-  wide: seen('.md-typeset *').filter((e) => !e.closest('.katex') && e.getBoundingClientRect().right > limit + 1)
-    .map((e) => `${e.closest('section').id}: ${e.outerHTML.slice(0, 90)}`),
+  wide: seen('.md-typeset *').filter((e) => !e.closest('.katex') && getComputedStyle(e).display !== 'inline'
+      && e.getBoundingClientRect().right > limit + 1)
+    .map((e) => `${e.closest('section').id}: ${Math.round(e.getBoundingClientRect().right - limit)} px ${e.outerHTML.slice(0, 90)}`),
   cut: seen('pre, table, .md-typeset__scrollwrap, .arithmatex').filter((e) => e.scrollWidth > e.clientWidth + 2)
     .map((e) => `${e.closest('section').id}: ${e.outerHTML.slice(0, 90)}`),
   buttons: seen('button, input, canvas').length,
