@@ -31,7 +31,7 @@ summary {{ margin: 0.5em 0 0.5em 3em; cursor: pointer; }}
 <script>
 // The switch of the book's pages holds here too.
 const key = Object.keys(localStorage).find((name) => name.endsWith(".__palette"));
-if (key) document.documentElement.className = JSON.parse(localStorage[key]).color.scheme;
+if (key && localStorage.getItem("raysteps.scheme is chosen")) document.documentElement.className = JSON.parse(localStorage[key]).color.scheme;
 </script></head><body><h1>{title}</h1>
 {body}
 </body></html>
