@@ -101,11 +101,12 @@ def link_words(lines, code, words):
 
 
 def symbols_of(text):
-    """The symbols in a lesson's table, in their order: of `$W, H$` both, of `$R = 2w$` what stands before the sign."""
+    """The symbols in a lesson's table, in their order: of `$W, H$` both, of `$R = 2w$` what stands before the sign,
+    of `$E(p, q)$` the letter."""
     table = SYMBOLS.search(text)
     cells = [row.strip("|").split(" | ")[0] for row in table.group(1).split("\n")[2:]] if table else []
     return [symbol.strip() for cell in cells for formula in re.findall(r"\$([^$]+)\$", cell)
-            for symbol in formula.split("=")[0].strip(" ()").split(",")]
+            for symbol in re.sub(r"(\w)\([^()]*\)", r"\1", formula.split("=")[0]).strip(" ()").split(",")]
 
 
 def with_anchors(lines):

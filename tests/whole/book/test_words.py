@@ -89,8 +89,8 @@ class Symbols(unittest.TestCase):
     def test_a_table_of_symbols_is_read(self):
         table = ("<details><summary>The symbols of this chapter</summary>\n\n| symbol | meaning | in the code |\n"
                  "| --- | --- | --- |\n| $u$, $v$; $W, H$ | weights | `hit.u` |\n| $(s, t)$ | a place, $x$ |\n"
-                 "| $R = 2w\\,r$ | a side | |\n\nMore.\n</details>")
-        self.assertEqual(symbols_of(f"# A\n\n{table}\n"), ["u", "v", "W", "H", "s", "t", "R"])
+                 "| $R = 2w\\,r$, $E(p, q)$ | a side | |\n\nMore.\n</details>")
+        self.assertEqual(symbols_of(f"# A\n\n{table}\n"), ["u", "v", "W", "H", "s", "t", "R", "E"])
         self.assertEqual(symbols_of("# A\n"), [])
 
     def test_in_a_lesson_one_symbol_means_one_thing_and_is_used(self):
