@@ -74,9 +74,9 @@ inline constexpr int all_levels = -1;
 struct State {
     // What there is to see.
     std::string scene = "bunny";
-    std::string hard_case;                              // instead of the scene: K3
-    std::vector<std::string> structures{"bvh4"};        // NAME or NAME:option=value:...
-    std::map<std::string, std::string> build_values;    // for the builders of all of them
+    std::string hard_case;                           // instead of the scene: K3
+    std::vector<std::string> structures{"bvh4"};     // NAME or NAME:option=value:...
+    std::map<std::string, std::string> build_values; // for the builders of all of them
     std::optional<Camera> camera; // that traces the picture; by default the scene's
     glm::ivec2 picture{512, 512}; // its size in pixels
 

@@ -1,9 +1,9 @@
 #include "climb.h"
 
 #include "gpu/context.h"
+#include "measure/built_structures.h"
 #include "measure/judge.h"
 #include "measure/scene_costs.h"
-#include "structure/padding.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,23 +15,8 @@ namespace {
 
 const std::string loop_name = "every_triangle";
 
-using BuiltFamilies = std::map<std::string, SceneTextures>; // by the family's name
-
-const SceneTextures& built_for(const BuiltFamilies& built, const std::string& structure) {
-    return built.at(family_of(structure).name);
-}
-
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures) {
-    const float reach = reach_of(scene.camera.eye, scene.corners);
-    BuiltFamilies built;
-    for (const std::string& structure : structures) {
-        const StructureFamily family = family_of(structure);
-        if (!built.contains(family.name)) {
-            built.emplace(family.name,
-                          upload(scene, family.build(scene.corners, {.reach = reach})));
-        }
-    }
-    return built;
+const SceneTextures& built_for(const BuiltStructures& built, const std::string& structure) {
+    return built.of({structure, structure});
 }
 
 Texture trace(TraceRays& walk, const SceneTextures& scene, const RayTextures& rays, Query query) {
@@ -91,7 +76,7 @@ Texture run(const Attempt& attempt) {
 // What stays while a scene is measured.
 struct Climber {
     const Scene& scene;
-    BuiltFamilies built;
+    BuiltStructures built;
     std::vector<std::size_t> pixels; // of the primary rays
     std::vector<RayKind> kinds;
     std::map<std::string, std::map<ListLayout, LaidRays>> laid{}; // by kind
@@ -113,7 +98,7 @@ Climber make_climber(const Scene& scene, TraceRays& walk, const ClimbRequest& re
         structures.push_back(step.structure);
     }
     Climber climber{.scene = scene,
-                    .built = build_families(scene, structures),
+                    .built = {scene, plain_structures(structures), {}},
                     .pixels = pixels_in_blocks(request.width, request.height),
                     .kinds = {}};
     const RayTextures camera =
@@ -289,7 +274,7 @@ ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
 std::vector<CountedWalk> count_visits(const Scene& scene, const std::vector<std::string>& names,
                                       const Limits& limits, const Camera& camera, int width,
                                       int height) {
-    const BuiltFamilies built = build_families(scene, names);
+    const BuiltStructures built(scene, plain_structures(names), {});
     const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
     std::vector<CountedWalk> walks;
     for (const std::string& name : names) {
