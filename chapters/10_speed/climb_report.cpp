@@ -96,9 +96,9 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
                    << data_of(scenes[scene], kind) << "END\n";
         }
     }
-    script << "set terminal pngcairo size 1080,540 font 'DejaVu Sans,12' noenhanced\n"
+    script << "set terminal pngcairo size 1080,500 font 'DejaVu Sans,12' noenhanced\n"
            << "set output " << gnuplot_text(png.string()) << "\n"
-           << "set multiplot layout 1,3 margins 0.07,0.99,0.30,0.85 spacing 0.03\n"
+           << "set multiplot layout 1,3 margins 0.07,0.99,0.25,0.84 spacing 0.03\n"
            << "set label 1 "
            << gnuplot_text("Rays a second over those of " + yardstick +
                            ": the median of all rounds, and their range")
@@ -113,9 +113,9 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
     for (const std::string& kind : kinds) {
         script << "set title " << gnuplot_text(kind + " rays") << "\n";
         if (kind == kinds.back()) {
-            script << "set key at screen 0.5,0.02 center bottom horizontal\n";
+            script << "set key top right opaque\n";
         }
-        script << "plot 1 with lines lw 2 dt 2 lc rgb '#555555' title " << gnuplot_text(yardstick);
+        script << "plot 1 with lines lw 2 dt 2 lc rgb '#555555' notitle";
         for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
             const double shift = between_scenes * (static_cast<double>(scene) -
                                                    static_cast<double>(scenes.size() - 1) / 2.0);

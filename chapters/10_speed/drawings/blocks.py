@@ -17,24 +17,23 @@ def place(ray):
 
 def draw(canvas, _lesson):
     bottom = 258
-    for left, name in ((70, "in rows"), (330, "in blocks")):
+    for left, name in ((70, "in rows"), (318, "in blocks")):
         canvas.text((left + 4 * SIDE, 24), name, title=True)
-        for row in range(8):
-            for column in range(8):
-                is_lane = column < 4 and row < 2
-                canvas.box(left + SIDE * column, bottom - SIDE * (row + 1), SIDE, SIDE, color="ray" if is_lane else "rule",
-                           filled=is_lane)
+        for number in range(9):
+            canvas.line((left + SIDE * number, bottom - 8 * SIDE), (left + SIDE * number, bottom), color="rule")
+            canvas.line((left, bottom - SIDE * number), (left + 8 * SIDE, bottom - SIDE * number), color="rule")
+        for lane in range(8):
+            canvas.box(left + SIDE * (lane % 4), bottom - SIDE * (lane // 4 + 1), SIDE, SIDE, color="ray", filled=True)
 
     def center(left, column, row):
         return (left + SIDE * (column + 0.5), bottom - SIDE * (row + 0.5))
 
     for row in range(8):
         canvas.arrow(center(70, 0, row), center(70, 7.4, row), color="shape")
-    for ray in range(63):
-        canvas.line(center(330, *place(ray)), center(330, *place(ray + 1)), color="shape")
+    canvas.line(*(center(318, *place(ray)) for ray in range(64)), color="shape")
     canvas.text((62, bottom - SIDE / 2), "0", "w", gap=0, color="quiet")
     canvas.text((62, bottom - 3 * SIDE / 2), "1,024", "w", gap=0, color="quiet")
-    canvas.text((322, bottom - SIDE / 2), "0", "w", gap=0, color="quiet")
-    canvas.text((330 + 8 * SIDE + 8, bottom - 7.5 * SIDE), "63", "e", gap=0, color="quiet")
+    canvas.text((310, bottom - SIDE / 2), "0", "w", gap=0, color="quiet")
+    canvas.text((318 + 8 * SIDE + 8, bottom - 7.5 * SIDE), "63", "e", gap=0, color="quiet")
     canvas.text((170, 284), "a block of 4 x 2 lanes", color="ray")
-    canvas.text((430, 284), "the same lanes", color="ray")
+    canvas.text((418, 284), "the same lanes", color="ray")
