@@ -1,7 +1,6 @@
 #include "climb.h"
 
 #include "gpu/context.h"
-#include "measure/built_structures.h"
 #include "measure/judge.h"
 #include "measure/scene_costs.h"
 
@@ -271,18 +270,22 @@ ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
     return climbed;
 }
 
-std::vector<CountedWalk> count_visits(const Scene& scene, const std::vector<std::string>& names,
-                                      const Limits& limits, const Camera& camera, int width,
-                                      int height) {
-    const BuiltStructures built(scene, plain_structures(names), {});
-    const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
-    std::vector<CountedWalk> walks;
-    for (const std::string& name : names) {
-        TraceRays count = make_counting_walk(name, limits);
-        count.closest_hits(rays, built_for(built, name));
-        walks.push_back({name, visits_in(*count.observations())});
+VisitCounter::VisitCounter(const Scene& scene, const std::vector<std::string>& structures,
+                           const Limits& limits)
+    : built_(scene, plain_structures(structures), {}) {
+    for (const std::string& structure : structures) {
+        walks_.emplace_back(structure, make_counting_walk(structure, limits));
     }
-    return walks;
+}
+
+std::vector<CountedWalk> VisitCounter::count(const Camera& camera, int width, int height) {
+    const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
+    std::vector<CountedWalk> counted;
+    for (auto& [structure, walk] : walks_) {
+        walk.closest_hits(rays, built_for(built_, structure));
+        counted.push_back({structure, visits_in(*walk.observations())});
+    }
+    return counted;
 }
 
 } // namespace raysteps

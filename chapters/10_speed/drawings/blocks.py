@@ -1,6 +1,6 @@
 """The same list of rays in rows and in blocks, and the rays that eight lanes take."""
 
-ALT = ("A list of rays in a texture. Left, row by row: the lanes of one block of 4 x 2 texels take four rays from the begin of the list, and "
+ALT = ("A list of rays in a texture. Left, row by row: the lanes of one block of 4 x 2 texels take four rays from the beginning of the list, and "
        "four from a place far behind. Right, along a curve of the shape of a Z: the same lanes take the first eight rays of the list")
 HEIGHT = 300
 SENTENCES = ["In rows of 1,024 the lanes of a block of 4 x 2 texels take the rays 0 to 3 and the rays 1,024 to 1,027.",

@@ -104,7 +104,7 @@ TEST_CASE("blocks of walks are drawn in the same colours, and have to be of one 
 TEST_CASE("the blocks of the bunny are those of the expected picture", "[10][picture]") {
     const auto context = make_context(ContextKind::automatic);
     const Scene scene = load_scene("bunny", 1.0f);
-    const Image picture = draw_blocks(
-        count_visits(scene, {"bvh_skip", "bvh4"}, measure_limits(), scene.camera, 256, 256));
+    VisitCounter counter(scene, {"bvh_skip", "bvh4"}, measure_limits());
+    const Image picture = draw_blocks(counter.count(scene.camera, 256, 256));
     CHECK(unexpected_pixels(picture, "10_speed") == 0);
 }
