@@ -72,7 +72,7 @@ def _walk(name, links, _page):
     command = html.escape(shown_command(about["command"]))
     viewer = "" if links.has_viewer else ' data-viewer="none"'
     return [f'<figure class="walk" data-walk="walks/{name}.json"{viewer}>',
-            f'<img src="walks/{name}.png" alt="{caption}">',
+            f'<img src="walks/{name}.png" alt="{caption}" loading="lazy">',
             f"<figcaption>{caption} In a window: <code>{command}</code></figcaption>",
             "</figure>"]
 

@@ -3,7 +3,9 @@ which the book shows as a page of its own kind."""
 
 import html
 import os
+import re
 import shutil
+import struct
 from pathlib import Path
 
 from .cut_code import exercises_in
@@ -29,7 +31,7 @@ summary {{ margin: 0.5em 0 0.5em 3em; cursor: pointer; }}
 <script>
 // The switch of the book's pages holds here too.
 const key = Object.keys(localStorage).find((name) => name.endsWith(".__palette"));
-if (key) document.documentElement.className = JSON.parse(localStorage[key]).color.scheme;
+if (key && localStorage.getItem("raysteps.scheme is chosen")) document.documentElement.className = JSON.parse(localStorage[key]).color.scheme;
 </script></head><body><h1>{title}</h1>
 {body}
 </body></html>
@@ -52,6 +54,16 @@ def lines_of(text):
                    listed(first, last), "</details>"]
         begin = last + 1
     return "".join([*pieces, listed(begin, len(lines))])
+
+
+def size_of(file):
+    """The width and height of a PNG or SVG, as attributes."""
+    data = file.read_bytes()[:400]
+    if data.startswith(b"\x89PNG"):
+        width, height = struct.unpack(">II", data[16:24])
+        return f" width={width} height={height}"
+    found = re.search(rb"<svg[^>]* width='(\d+)' height='(\d+)'", data)
+    return f" width={int(found[1])} height={int(found[2])}" if found else ""
 
 
 class Links:
@@ -80,16 +92,20 @@ class Links:
             return self.page_names[folder_page] + mark
         if path == Path("README.md") or path == Path("."):
             return "index.md"
-        if is_picture or path.suffix in PICTURES:
+        if is_picture:
             return self.picture(path)
+        if path.suffix in PICTURES:
+            return self.picture(path).partition("{")[0]
         return self.source(path) + mark
 
     def picture(self, path):
-        """A picture of the book's own making is taken before the one that lies in the project."""
+        """A picture of the book's own making is taken before the one that lies in the project. It is loaded when the
+        reader comes near it, and its room is kept."""
         name = "pictures/" + "_".join(path.parts)
         made = self.made / path
-        self.copy(made if made.exists() else self.root / path, name)
-        return name
+        file = made if made.exists() else self.root / path
+        self.copy(file, name)
+        return f"{name}{{ loading=lazy{size_of(file)} }}"
 
     def moving(self, page, target):
         """The script with the moments of the drawing `target` of a page; nothing where it stands still."""

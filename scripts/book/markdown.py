@@ -58,7 +58,7 @@ def open_details(line):
 
 def change_targets(line, change):
     """The line with the target of each link and picture changed; code stays as it is.
-    `change(target, is_picture)` gives the new one."""
+    `change(target, is_picture)` gives the new one; of a picture with its attributes behind it, in braces."""
     spans = []
 
     def hide(found):
@@ -66,7 +66,8 @@ def change_targets(line, change):
         return f"\0{len(spans) - 1}\0"
 
     def changed(found):
-        return f"{found.group(1)}{found.group(2)}({change(found.group(3), found.group(1) == '!')})"
+        target, brace, attributes = change(found.group(3), found.group(1) == "!").partition("{")
+        return f"{found.group(1)}{found.group(2)}({target}){brace}{attributes}"
 
     hidden = TARGET.sub(changed, re.sub(r"(`+)[^`]+\1", hide, line))
     return re.sub(r"\0(\d+)\0", lambda found: spans[int(found.group(1))], hidden)

@@ -19,7 +19,8 @@ def _moving(line, path, links):
     script = found and links.moving(path, found.group(2))
     if not script:
         return None
-    return f'![{found.group(1)}]({links.target(path, path, found.group(2), True)}){{ data-moving="{script}" }}'
+    target, _, attributes = links.target(path, path, found.group(2), True).partition("{")
+    return f'![{found.group(1)}]({target}){{ data-moving="{script}"{attributes}'
 
 
 def make_page(path, links):

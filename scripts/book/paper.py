@@ -38,7 +38,8 @@ def section(name, page, names):
 
     text = re.sub(r'(<a\b[^>]*?)\s*href="([^"]*)"', linked, found.group(1))
     text = re.sub(r'\bid="([^"]*)"', rf'id="{name}--\1"', text)
-    text = text.replace("<details", "<details open").replace(' data-viewer="none"', "")
+    text = text.replace("<details", "<details open").replace('loading="lazy"', "")
+    text = text.replace(' data-viewer="none"', "").replace('<figure class="walk"', '<figure class="walk" data-viewer="none"')
     return f'<section id="{name}">{text}</section>'
 
 

@@ -14,6 +14,7 @@ from .viewer import fetch_viewer
 
 KATEX = Path("/usr/share/javascript/katex")
 KATEX_FILES = ("katex.min.js", "katex.min.css")
+THEME = "docs/book/page/theme"
 OWN_FILES = ("formulas.js", "page.js", "moving.js", "walk.js", "walk_scene.js", "book.css")
 
 
@@ -24,7 +25,7 @@ def _palette(preferred, scheme, icon, switch):
             "toggle": {"icon": f"material/{icon}", "name": switch}}
 
 
-def settings(pages, site, order):
+def settings(pages, site, order, theme):
     """What MkDocs is told. JSON is YAML too."""
     return {
         "site_name": "Raysteps",
@@ -32,7 +33,7 @@ def settings(pages, site, order):
         "site_dir": str(site),
         "use_directory_urls": False,
         "nav": order,
-        "theme": {"name": "material", "font": False, "language": "en",
+        "theme": {"name": "material", "custom_dir": str(theme), "font": False, "language": "en",
                   "features": ["navigation.sections", "navigation.top"],
                   "palette": [_palette("light", "default", "weather-night", "Dark pages"),
                               _palette("dark", "slate", "weather-sunny", "Light pages")]},
@@ -81,7 +82,7 @@ def make_site(root, store, say):
     _copy_assets(root, pages, viewer)
     make_interfaces(root, pages / "api", say)
     file = store / "mkdocs.yml"
-    file.write_text(json.dumps(settings(pages, site, order), indent=1))
+    file.write_text(json.dumps(settings(pages, site, order, root / THEME), indent=1))
     _run_mkdocs(file)
     # Pages that are not of MkDocs' making name no icon, and browsers then ask for this one.
     shutil.copyfile(site / "assets" / "images" / "favicon.png", site / "favicon.ico")

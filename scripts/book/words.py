@@ -26,6 +26,7 @@ class Word:
     meaning: str
     pattern: re.Pattern
     is_code: bool
+    has_phrases: bool  # only in these it means what the glossary says
 
 
 def _plural(form):
@@ -63,7 +64,7 @@ def words_of(text):
         forms = [form.strip(" `") for form in (phrases.group(1) if phrases else name).split(",")]
         is_code = name.startswith("`")
         anchor = re.sub(r"\W+", "-", name.split(",")[0].strip("`")).lower()
-        found.append(Word(name, anchor, plain(meaning), _pattern(forms, is_code, phrases), is_code))
+        found.append(Word(name, anchor, plain(meaning), _pattern(forms, is_code, phrases), is_code, bool(phrases)))
     return found
 
 

@@ -2,16 +2,12 @@
 // a word's meaning opens under a finger before its link is followed.
 "use strict";
 
-// The theme keeps what it showed. That holds only if the reader has chosen it.
+// theme/main.html forgets what the theme keeps, unless the reader has chosen it.
 const schemes = "[data-md-component=palette]";
 const chosen = "raysteps.scheme is chosen";
 document.querySelectorAll(`${schemes} label`).forEach((label) => label.addEventListener("click", () => {
   localStorage.setItem(chosen, "yes");
 }));
-addEventListener("pagehide", () => {
-  if (localStorage.getItem(chosen)) return;
-  Object.keys(localStorage).filter((key) => key.endsWith(".__palette")).forEach((key) => localStorage.removeItem(key));
-});
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", ({ matches }) => {
   if (localStorage.getItem(chosen)) return;
   document.querySelector(`${schemes} input[data-md-color-media*=${matches ? "dark" : "light"}]`)?.click();

@@ -150,7 +150,7 @@ function makeWalkScene(element, walk) {
     step = number;
     const seen = walk.steps.slice(0, Math.max(0, step)).map((one) => one.box).filter((box) => box);
     const { box, tested } = step < 0 ? { box: null, tested: [] } : walk.steps[step];
-    shapes.structure.actor.getProperty().setOpacity(step < 0 ? 0.6 : 0.12);
+    shapes.structure.actor.getProperty().setOpacity(step < 0 ? 1 : 0.12);
     shapes.before.show(boxLines(seen));
     shapes.now.show(boxLines(box ? [box] : []));
     shapes.tested.show(trianglesOf(walk, tested));

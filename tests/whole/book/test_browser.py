@@ -1,13 +1,21 @@
-"""Every page in a browser: no complaint, formulas set, search, narrow screens."""
+"""Every page in a browser: no complaint, formulas set, words linked; search, phones, dark pages."""
 
+import gzip
+import re
+import struct
 import unittest
+import zipfile
+from urllib.parse import unquote, urlparse
 
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
 from browser import SITE, BrowserTest, leave_if_missing
 from support import ROOT
-from book.contents import page_names
+from book.contents import is_lesson, page_names
+from book.words import GLOSSARY, words_of
+from drawings.canvas import WIDTH
+from drawings.catalogue import descriptions
 
 PAGES = sorted(name.replace(".md", ".html") for name in page_names(ROOT).values())
 OTHERS = ["source/shaders/structure/grid/grid.glsl.html", "api/index.html", "api/annotated.html"]
@@ -18,10 +26,46 @@ const limit = document.documentElement.clientWidth;
 return [...document.querySelectorAll('.md-content *')].filter(
   (e) => e.getBoundingClientRect().right > limit + 1).slice(0, 3).map((e) => e.outerHTML.slice(0, 150));
 """
+# The links to words in a lesson, and the text in which words are to be linked.
+READ = """
+const article = document.querySelector('article').cloneNode(true);
+for (const heading of article.querySelectorAll('#sources, #symbols')) {
+  while (heading.nextElementSibling && heading.nextElementSibling.tagName !== 'H2') heading.nextElementSibling.remove();
+}
+article.querySelectorAll('h1, h2, h3, h4, a:not(.word), pre, code, th, summary, .arithmatex, figure').forEach(
+  (e) => e.replaceWith(' | '));
+return [[...document.querySelectorAll('article a.word')].map((a) => a.hash.slice(1)), article.textContent];
+"""
+LOADED = """
+return ['navigation', 'resource'].flatMap((kind) => performance.getEntriesByType(kind)).map((entry) => entry.name);
+"""
+HEAVIEST = 700_000  # bytes that a phone loads for a page when it is opened, without the walk; texts are packed
+PACKED = (".html", ".js", ".css", ".json", ".svg")
+WORDS = words_of((ROOT / GLOSSARY).read_text())
+LESSONS = {name.replace(".md", ".html") for path, name in page_names(ROOT).items() if is_lesson(path)}
+
+
+def weight(addresses):
+    """How many bytes these files of the book have together, but for what only walks need."""
+    total = 0
+    for name in {unquote(urlparse(address).path).lstrip("/") for address in addresses}:
+        file = SITE / name
+        if name and file.is_file() and not name.startswith("walks/") and file.name != "vtk.js":
+            data = file.read_bytes()
+            total += len(gzip.compress(data)) if file.suffix in PACKED else len(data)
+    return total
+
+
+def unlinked(links, text):
+    """Names of words that a text uses without a link. Those that mean other things as well are left to test_words."""
+    names = {word.anchor: word.name.split(",")[0] for word in WORDS if not (word.is_code or word.has_phrases)}
+    return [name for anchor, name in names.items() if anchor not in links
+            and re.search(rf"(?<![\w-]){re.escape(name)}s?(?![\w-])", text, re.IGNORECASE)]
 
 
 class Browser(BrowserTest):
-    def test_pages_load_without_complaints_and_set_their_formulas(self):
+    def test_pages_load_without_complaints_with_formulas_and_linked_words(self):
+        checked = 0
         for page in PAGES + OTHERS:
             with self.subTest(page=page):
                 self.open(page)
@@ -29,9 +73,73 @@ class Browser(BrowserTest):
                 self.assertEqual(self.browser.execute_script(
                     "return [...document.querySelectorAll('.arithmatex')].filter("
                     "(e) => !e.querySelector('.katex')).length"), 0)
+                self.browser.execute_script("[...document.images].forEach((i) => { i.loading = 'eager'; })")
+                self.wait_for("return [...document.images].every((i) => i.complete)")
                 broken = self.browser.execute_script(
                     "return [...document.images].filter((i) => !i.naturalWidth).map((i) => i.src)")
                 self.assertEqual(broken, [])
+                if page in LESSONS:
+                    links, text = self.browser.execute_script(READ)
+                    checked += len(links)
+                    self.assertEqual(len(links), len(set(links)), links)
+                    self.assertEqual(unlinked(links, text), [])
+        self.assertGreater(checked, 100)
+
+    def test_a_word_shows_its_meaning_and_leads_to_the_glossary(self):
+        self.open("02_triangles.html")
+        word = self.browser.find_element("css selector", "a.word[href$='#barycentric-coordinates']")
+        shown = "return getComputedStyle(arguments[0], '::after').display"
+        self.assertEqual(self.browser.execute_script(shown, word), "none")
+        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", word)
+        ActionChains(self.browser).move_to_element(word).perform()
+        self.assertEqual(self.browser.execute_script(shown, word), "block")
+        self.keep_picture("word")
+        self.assertIn("weights", word.get_attribute("data-meaning"))
+        word.click()
+        self.wait_for("return location.hash === '#barycentric-coordinates' && document.querySelector(':target')")
+
+    def test_pages_are_dark_where_the_system_wishes_it_until_the_reader_turns_the_switch(self):
+        scheme = "return document.body.dataset.mdColorScheme"
+        wish = {"features": [{"name": "prefers-color-scheme", "value": "dark"}]}
+        try:
+            self.open("01_rays.html")
+            self.assertEqual(self.browser.execute_script(scheme), "default")
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", wish)
+            self.open("04_grid.html")
+            self.assertEqual(self.browser.execute_script(scheme), "slate")
+            self.keep_picture("dark")
+            self.open("source/shaders/structure/grid/grid.glsl.html")
+            self.assertIn("rgb(255, 255, 255)", self.browser.execute_script("return getComputedStyle(document.body).color"))
+            self.open("04_grid.html")
+            self.browser.find_element("css selector", "[data-md-component=palette] label:not([hidden])").click()
+            self.assertEqual(self.browser.execute_script(scheme), "default")
+            self.open("05_kd_tree.html")
+            self.assertEqual(self.browser.execute_script(scheme), "default")
+            self.open("source/shaders/structure/grid/grid.glsl.html")
+            self.assertEqual(self.browser.execute_script("return getComputedStyle(document.body).color"), "rgb(0, 0, 0)")
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+            self.browser.execute_script("localStorage.clear()")
+
+    def test_a_source_shows_a_solution_when_it_is_asked_for(self):
+        self.open("source/shaders/structure/grid/grid.glsl.html")
+        seen = "return document.querySelector('details li').checkVisibility()"
+        self.assertFalse(self.browser.execute_script(seen))
+        summary = self.browser.find_element("css selector", "details summary")
+        self.assertEqual(summary.text, "exercise 4.4: show the solution")
+        summary.click()
+        self.assertTrue(self.browser.execute_script(seen))
+
+    def test_drawings_are_offered_as_svg_and_png(self):
+        self.open("teaching.html")
+        link = self.browser.find_element("css selector", "article a[href='drawings.zip']")
+        with zipfile.ZipFile(SITE / link.get_attribute("href").rsplit("/", 1)[1]) as archive:
+            pictures = [name for name in archive.namelist() if name.endswith(".png")]
+            self.assertEqual(len(pictures), len(descriptions(ROOT)))
+            for name in pictures:
+                data = archive.read(name)
+                self.assertEqual(struct.unpack(">I", data[16:20])[0], 2 * WIDTH)
+                self.assertGreater(len(data), 5_000, f"{name} is empty")
 
     def test_formulas_are_there(self):
         self.open("02_triangles.html")
@@ -58,10 +166,13 @@ class Browser(BrowserTest):
         self.assertIn("Mailboxes", found)
         self.keep_picture("search")
 
-    def test_narrow_screens_do_not_scroll_sideways(self):
+    def test_on_a_phone_pages_are_light_and_do_not_scroll_sideways(self):
         for page in PAGES:
             with self.subTest(page=page):
                 self.open(page, width=375, height=800)
+                loaded = self.browser.execute_script(LOADED)
+                self.assertGreater(weight(loaded), 100_000)
+                self.assertLess(weight(loaded), HEAVIEST)
                 # A window may be wider than asked for; its inside is what counts.
                 self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
                     "width": 375, "height": 800, "deviceScaleFactor": 1, "mobile": False})

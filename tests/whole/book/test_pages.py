@@ -56,8 +56,14 @@ class Pages(FolderTest):
         self.write("chapters/04_a/expected.png", "old")
         self.write("made/chapters/04_a/expected.png", "new")
         self.assertEqual(self.made("![p](expected.png)"),
-                         "![p](pictures/chapters_04_a_expected.png)")
+                         "![p](pictures/chapters_04_a_expected.png){ loading=lazy }")
         self.assertEqual((self.folder / "out/pictures/chapters_04_a_expected.png").read_text(), "new")
+
+    def test_a_picture_keeps_its_room_until_it_is_loaded(self):
+        (self.write("chapters/04_a/p.png", "")).write_bytes((ROOT / "docs/pictures/bunny.png").read_bytes())
+        self.assertTrue(self.made("![p](p.png)").endswith("{ loading=lazy width=384 height=384 }"))
+        self.write("chapters/04_a/s.svg", "<svg viewBox='0 0 9 7' width='560' height='340'/>")
+        self.assertTrue(self.made("![s](s.svg)").endswith("{ loading=lazy width=560 height=340 }"))
 
     def test_a_drawing_that_moves_names_the_script_with_its_moments(self):
         self.write("chapters/04_a/drawings/d.svg", "<svg/>")
@@ -68,7 +74,7 @@ class Pages(FolderTest):
                    "    canvas.text((x * 9, 9), str(x))\n")
         script = "pictures/chapters_04_a_drawings_d.js"
         self.assertEqual(self.made("![a](drawings/d.svg)"),
-                         f'![a](pictures/chapters_04_a_drawings_d.svg){{ data-moving="{script}" }}')
+                         f'![a](pictures/chapters_04_a_drawings_d.svg){{ data-moving="{script}" loading=lazy }}')
         name, _, moments = (self.folder / "out" / script).read_text().partition(" = ")
         moments = json.loads(moments.rstrip(";\n"))
         self.assertIn(script, name)
@@ -79,7 +85,7 @@ class Pages(FolderTest):
         self.write("chapters/04_a/drawings/d.svg", "<svg/>")
         self.write("chapters/04_a/drawings/d.py", "ALT, HEIGHT, SENTENCES = 'a', 50, []\n"
                    "def draw(canvas, lesson):\n    canvas.text((9, 9), 'a')\n")
-        self.assertEqual(self.made("![a](drawings/d.svg)"), "![a](pictures/chapters_04_a_drawings_d.svg)")
+        self.assertEqual(self.made("![a](drawings/d.svg)"), "![a](pictures/chapters_04_a_drawings_d.svg){ loading=lazy }")
 
     def test_a_function_stands_where_it_is_named(self):
         self.write("shaders/a.glsl", "int one() {\n    return 1;\n}\n")
