@@ -3,8 +3,6 @@
 #include "gpu/context.h"
 #include "measure/judge.h"
 #include "measure/scene_costs.h"
-#include "scene/view.h"
-#include "structure/padding.h"
 
 #include <algorithm>
 #include <memory>
@@ -16,23 +14,8 @@ namespace {
 
 const std::string loop_name = "every_triangle";
 
-using BuiltFamilies = std::map<std::string, SceneTextures>; // by the family's name
-
-const SceneTextures& built_for(const BuiltFamilies& built, const std::string& structure) {
-    return built.at(family_of(structure).name);
-}
-
-BuiltFamilies build_families(const Scene& scene, const std::vector<std::string>& structures) {
-    const float reach = reach_of(origins_of(scene.camera), scene.corners);
-    BuiltFamilies built;
-    for (const std::string& structure : structures) {
-        const StructureFamily family = family_of(structure);
-        if (!built.contains(family.name)) {
-            built.emplace(family.name,
-                          upload(scene, family.build(scene.corners, {.reach = reach})));
-        }
-    }
-    return built;
+const SceneTextures& built_for(const BuiltStructures& built, const std::string& structure) {
+    return built.of({structure, structure});
 }
 
 Texture trace(TraceRays& walk, const SceneTextures& scene, const RayTextures& rays, Query query) {
@@ -92,7 +75,7 @@ Texture run(const Attempt& attempt) {
 // What stays while a scene is measured.
 struct Climber {
     const Scene& scene;
-    BuiltFamilies built;
+    BuiltStructures built;
     std::vector<std::size_t> pixels; // of the primary rays
     std::vector<RayKind> kinds;
     std::map<std::string, std::map<ListLayout, LaidRays>> laid{}; // by kind
@@ -114,7 +97,7 @@ Climber make_climber(const Scene& scene, TraceRays& walk, const ClimbRequest& re
         structures.push_back(step.structure);
     }
     Climber climber{.scene = scene,
-                    .built = build_families(scene, structures),
+                    .built = {scene, plain_structures(structures), {}},
                     .pixels = pixels_in_blocks(request.width, request.height),
                     .kinds = {}};
     const RayTextures camera =
@@ -287,18 +270,22 @@ ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
     return climbed;
 }
 
-std::vector<CountedWalk> count_visits(const Scene& scene, const std::vector<std::string>& names,
-                                      const Limits& limits, const Camera& camera, int width,
-                                      int height) {
-    const BuiltFamilies built = build_families(scene, names);
-    const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
-    std::vector<CountedWalk> walks;
-    for (const std::string& name : names) {
-        TraceRays count = make_counting_walk(name, limits);
-        count.closest_hits(rays, built_for(built, name));
-        walks.push_back({name, visits_in(*count.observations())});
+VisitCounter::VisitCounter(const Scene& scene, const std::vector<std::string>& structures,
+                           const Limits& limits)
+    : built_(scene, plain_structures(structures), {}) {
+    for (const std::string& structure : structures) {
+        walks_.emplace_back(structure, make_counting_walk(structure, limits));
     }
-    return walks;
+}
+
+std::vector<CountedWalk> VisitCounter::count(const Camera& camera, int width, int height) {
+    const RayTextures rays = generate_rays(camera, width, height, RayGeneration::direct);
+    std::vector<CountedWalk> counted;
+    for (auto& [structure, walk] : walks_) {
+        walk.closest_hits(rays, built_for(built_, structure));
+        counted.push_back({structure, visits_in(*walk.observations())});
+    }
+    return counted;
 }
 
 } // namespace raysteps

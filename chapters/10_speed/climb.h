@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lanes.h"
+#include "measure/built_structures.h"
 #include "measure/contest.h"
 #include "reference/embree/embree.h"
 #include "render/trace_rays.h"
@@ -47,8 +48,7 @@ struct ClimbedScene {
 // The name of whom the ratios are to: Embree by single rays, or without it the first step.
 std::string yardstick_of(const ClimbRequest& request);
 
-// The walks of all steps, by the names of their structures; compiled once for all scenes. With an
-// observer each by itself, for the pictures of lanes.
+// The walks of all steps, by the names of their structures; compiled once for all scenes.
 std::map<std::string, TraceRays> make_step_walks(const Limits& limits);
 
 // Takes a scene's primary, shadow and bounce rays up all steps, and Embree beside them, in one
@@ -58,9 +58,18 @@ std::map<std::string, TraceRays> make_step_walks(const Limits& limits);
 ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
                    const Limits& limits, const ClimbRequest& request, const Progress& progress);
 
-// What the walks of these structures visit for each pixel of the camera's picture.
-std::vector<CountedWalk> count_visits(const Scene& scene, const std::vector<std::string>& names,
-                                      const Limits& limits, const Camera& camera, int width,
-                                      int height);
+// Counts what the walks of some structures visit in a scene.
+class VisitCounter {
+public:
+    VisitCounter(const Scene& scene, const std::vector<std::string>& structures,
+                 const Limits& limits);
+
+    // For each pixel of the camera's picture, walk by walk.
+    std::vector<CountedWalk> count(const Camera& camera, int width, int height);
+
+private:
+    BuiltStructures built_;
+    std::vector<std::pair<std::string, TraceRays>> walks_;
+};
 
 } // namespace raysteps

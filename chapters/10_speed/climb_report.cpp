@@ -113,9 +113,9 @@ std::string script_of(const std::filesystem::path& png, std::span<const ClimbedS
     for (const std::string& kind : kinds) {
         script << "set title " << gnuplot_text(kind + " rays") << "\n";
         if (kind == kinds.back()) {
-            script << "set key bottom right\n";
+            script << "set key top right opaque\n";
         }
-        script << "plot 1 with lines lw 2 dt 2 lc rgb '#555555' title " << gnuplot_text(yardstick);
+        script << "plot 1 with lines lw 2 dt 2 lc rgb '#555555' notitle";
         for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
             const double shift = between_scenes * (static_cast<double>(scene) -
                                                    static_cast<double>(scenes.size() - 1) / 2.0);

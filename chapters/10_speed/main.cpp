@@ -1,5 +1,5 @@
 // Chapter 10: what makes a walk fast, step by step, and Embree beside it.
-// load_scene -> climb -> table, chart; count_visits -> draw_blocks -> picture
+// load_scene -> climb -> table, chart; VisitCounter -> draw_blocks -> picture
 #include "climb_report.h"
 #include "program/figures.h"
 #include "program/show.h"
@@ -16,6 +16,16 @@ constexpr int full_side = 512;
 
 // The walks whose blocks are drawn: the first and the last that an observer can watch.
 const std::vector<std::string> drawn_walks{"bvh_skip", "bvh4"};
+
+// Writes the picture of what lanes do, or shows it in the window.
+void draw_rounds(const PictureOptions& picture, Context& context, const Scene& scene,
+                 const Limits& limits) {
+    VisitCounter counter(scene, drawn_walks, limits);
+    show_or_write(picture, context, scene.camera, "rounds",
+                  [&](const Camera& camera, int width, int height) {
+                      return draw_blocks(counter.count(camera, width, height));
+                  });
+}
 
 } // namespace
 
@@ -51,11 +61,7 @@ int main(int argc, char** argv) {
         const Scene first = load_scene(picture, scenes.front());
         const auto context = open_context(picture);
         const Limits limits = measure_limits();
-        show_or_write(picture, *context, first.camera, "rounds",
-                      [&](const Camera& camera, int width, int height) {
-                          return draw_blocks(
-                              count_visits(first, drawn_walks, limits, camera, width, height));
-                      });
+        draw_rounds(picture, *context, first, limits);
         if (picture.window) {
             return;
         }

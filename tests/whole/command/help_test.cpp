@@ -45,6 +45,7 @@ TEST_CASE("help names every option of every program", "[command]") {
                                                     "--seed", "--rounds"}));
     check_help("09_effects", with(tracing, {"--effects", "--max-bounces", "--faintest", "--samples",
                                             "--explain", "--prove", "--scenes", "--rounds"}));
+    check_help("10_speed", with(common_options, {"--scenes", "--full", "--rounds", "--embree"}));
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {

@@ -29,6 +29,7 @@ RUNS = {
     "accuracy": ("08_accuracy", [*SMALL, "--trade-offs", "triangle", "--rounds", "1"]),
     "effects": ("09_effects", SMALL),
     "proof": ("09_effects", ["--prove", "--scenes", "compact:4,glass_box", "--rounds", "1", "--size", "16"]),
+    "climb": ("10_speed", [*SMALL, "--rounds", "1"]),
     "hard_cases": ("hard_cases", ["--case", "T1", "--rays", "100", "--by", "cpp"]),
 }
 
