@@ -1,6 +1,7 @@
 #include "trace/trace_picture.h"
 
 #include "basics/statistics.h"
+#include "basics/text.h"
 #include "image/heat_map.h"
 #include "scene/ray_file.h"
 #include "scene/scaling.h"
@@ -86,12 +87,12 @@ void report_trace(const PictureOptions& picture, const TraceOptions& tracing, co
                     {"seconds", seconds},
                     {"million_rays_per_second", rays / seconds / 1e6},
                     {"facts", numbers_of(textures.structure.facts)}};
-    std::printf("rays      %.0f in %.2f s: %.3g million per second\n", rays, seconds,
-                rays / seconds / 1e6);
+    std::printf("rays      %s in %.2f s: %s million per second\n", readable(rays).c_str(), seconds,
+                readable(rays / seconds / 1e6).c_str());
     if (tracing.structure == "every_triangle") {
         const double tests = rays * textures.triangle_count;
-        std::printf("tests     %.0f in %.2f s: %.3g million per second\n", tests, seconds,
-                    tests / seconds / 1e6);
+        std::printf("tests     %s in %.2f s: %s million per second\n", readable(tests).c_str(),
+                    seconds, readable(tests / seconds / 1e6).c_str());
         numbers["tests"] = static_cast<std::uint64_t>(tests);
         numbers["million_tests_per_second"] = tests / seconds / 1e6;
     }
