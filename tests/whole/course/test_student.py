@@ -133,7 +133,7 @@ class Student(CourseTest):
         shown = self.course("show", "4.2")
         self.assertIn("grid_cells.glsl:", shown)
         self.assertIn("Amanatides and Woo", shown)
-        self.assertIn("u = p . s / det,   v = ", self.course("show", "2.2"))
+        self.assertIn("u = P . s / det,   v = ", self.course("show", "2.2"))
 
     def test_wrong_usage_says_what_to_take(self):
         self.assertIn("9.9 is no chapter and no exercise", self.course("check", "9.9", expect=2))
