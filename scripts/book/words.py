@@ -14,9 +14,12 @@ ROW = re.compile(r"^\| (.+?) \| (.+?) \| .+ \|$")
 PHRASES = re.compile(r"<!-- (.+?) -->")
 # Where no word is linked: headings, rows that head a table, summaries, tags, formulas, code, links and pictures.
 BARRED = re.compile(
-    r"^#[^\n]*$|^\|[^\n]*\n(?=\|[ -|:]*---)|<summary>.*?</summary>|<[^<>]+>|\$\$.+?\$\$|\$[^$]+\$|(?P<ticks>`+).+?(?P=ticks)"
+    r"^#[^\n]*$|^\|[^\n]*\n(?=\|[ -|:]*---)|<summary[^>]*>.*?</summary>|<[^<>]+>|\$\$.+?\$\$|\$[^$]+\$|(?P<ticks>`+).+?(?P=ticks)"
     r"|!?\[[^\[\]]*\]\([^()]*\)(?:\{[^{}]*\})?", re.MULTILINE | re.DOTALL)
-UNREAD = re.compile(r"^## (?:Sources|Symbols)\n.*?(?=^## |\Z)", re.MULTILINE | re.DOTALL)
+UNREAD = re.compile(r"^## Sources\n.*?(?=^## |\Z)|<details[^>]*>\s*<summary[^>]*>The symbols.*?</details>",
+                    re.MULTILINE | re.DOTALL)
+FOLD = re.compile(r"<details.*?</details>", re.DOTALL)
+SYMBOLS = re.compile(r"<summary>The symbols[^<]*</summary>\n\n(.*?)\n(?:\n|</details>)", re.DOTALL)
 
 
 @dataclass
@@ -68,28 +71,42 @@ def words_of(text):
     return found
 
 
+def _blank(found):
+    return re.sub(r"[^\n]", "\0", found.group())
+
+
 def _barred(text):
     """The text with all that must not be linked blanked out; what is code by itself stays."""
-    def blank(found):
-        return found.group() if re.fullmatch(r"`\w+`", found.group()) else re.sub(r"[^\n]", "\0", found.group())
-    return BARRED.sub(blank, UNREAD.sub(blank, text))
+    return BARRED.sub(lambda found: found.group() if re.fullmatch(r"`\w+`", found.group()) else _blank(found),
+                      UNREAD.sub(_blank, text))
 
 
 def link_words(lines, code, words):
-    """The lines with each word linked once. `code` says of each line whether it is one of code."""
+    """The lines with each word linked once: where it is first read, or else in a fold. `code` says of each line
+    whether it is one of code."""
     text = "\n".join(lines)
-    readable = _barred("\n".join("\0" * len(line) if is_code else line for line, is_code in zip(lines, code)))
+    without_code = "\n".join("\0" * len(line) if is_code else line for line, is_code in zip(lines, code))
+    all_text, open_text = _barred(without_code), _barred(FOLD.sub(_blank, without_code))
     found = []
     for word in sorted(words, key=lambda word: -len(word.name)):
-        first = word.pattern.search(readable)
+        first = word.pattern.search(open_text) or word.pattern.search(all_text)
         if first:
             begin, end = first.span()
             found.append((begin, end, word))
-            readable = readable[:begin] + "\0" * (end - begin) + readable[end:]
+            all_text, open_text = (one[:begin] + "\0" * (end - begin) + one[end:] for one in (all_text, open_text))
     for begin, end, word in sorted(found, key=lambda one: one[0], reverse=True):
         link = f'[{text[begin:end]}]({PAGE}#{word.anchor}){{ .word data-meaning="{word.meaning}" }}'
         text = text[:begin] + link + text[end:]
     return text.split("\n")
+
+
+def symbols_of(text):
+    """The symbols in a lesson's table, in their order: of `$W, H$` both, of `$R = 2w$` what stands before the sign,
+    of `$E(p, q)$` the letter."""
+    table = SYMBOLS.search(text)
+    cells = [row.strip("|").split(" | ")[0] for row in table.group(1).split("\n")[2:]] if table else []
+    return [symbol.strip() for cell in cells for formula in re.findall(r"\$([^$]+)\$", cell)
+            for symbol in re.sub(r"(\w)\([^()]*\)", r"\1", formula.split("=")[0]).strip(" ()").split(",")]
 
 
 def with_anchors(lines):

@@ -29,7 +29,8 @@ return [...document.querySelectorAll('.md-content *')].filter(
 # The links to words in a lesson, and the text in which words are to be linked.
 READ = """
 const article = document.querySelector('article').cloneNode(true);
-for (const heading of article.querySelectorAll('#sources, #symbols')) {
+[...article.querySelectorAll('details')].filter((e) => e.textContent.trim().startsWith('The symbols')).forEach((e) => e.remove());
+for (const heading of article.querySelectorAll('#sources')) {
   while (heading.nextElementSibling && heading.nextElementSibling.tagName !== 'H2') heading.nextElementSibling.remove();
 }
 article.querySelectorAll('h1, h2, h3, h4, a:not(.word), pre, code, th, summary, .arithmatex, figure').forEach(

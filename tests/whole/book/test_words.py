@@ -6,7 +6,7 @@ import unittest
 from support import ROOT
 from book.contents import chapters, is_lesson
 from book.markdown import is_code
-from book.words import GLOSSARY, link_words, with_anchors, words_of
+from book.words import GLOSSARY, SYMBOLS, link_words, symbols_of, with_anchors, words_of
 
 TEXT = """# Words
 
@@ -54,7 +54,8 @@ class Words(unittest.TestCase):
     def test_headings_code_formulas_links_tags_and_sources_are_left_alone(self):
         for text in ("# A ray", "`a ray`", "```\nray\n```", "a\n\n    ray\n", "$ray$", "$$\nray\n$$", "[a ray](b.md)",
                      "![a ray](b.png)", "<summary>A ray?</summary>", '<img alt="ray">', "| ray |\n| --- |",
-                     "## Sources\n\n- A ray, 1968.", "array", "x-ray"):
+                     "## Sources\n\n- A ray, 1968.", "array", "x-ray",
+                     '<details markdown="1">\n<summary markdown="span">The symbols</summary>\n\nray\n</details>'):
             with self.subTest(text=text):
                 self.assertEqual(linked(text), text)
 
@@ -69,6 +70,12 @@ class Words(unittest.TestCase):
     def test_a_word_of_glsl_is_linked_where_it_is_code(self):
         self.assertEqual(words_in("To be precise, `precise float` and `precise`."), [("`precise`", "precise")])
 
+    def test_a_word_is_linked_in_a_fold_only_if_it_stands_nowhere_else(self):
+        fold = "<details><summary>More</summary>\n\nA ray, a leaf.\n</details>\n"
+        text = linked(f"{fold}\nA ray.")
+        self.assertLess(text.index("[leaf]"), text.index("</details>"))
+        self.assertGreater(text.index("[ray]"), text.index("</details>"))
+
     def test_lines_stay_as_many(self):
         self.assertEqual(linked("a primary\nray\n\nray").count("\n"), 3)
 
@@ -76,6 +83,24 @@ class Words(unittest.TestCase):
         made = "\n".join(with_anchors(TEXT.split("\n")))
         self.assertEqual(re.findall('<span id="([^"]*)"></span>', made), [word.anchor for word in WORDS])
         self.assertIn('| <span id="leaf"></span>leaf | an end | [05](a.md) |', made)
+
+
+class Symbols(unittest.TestCase):
+    def test_a_table_of_symbols_is_read(self):
+        table = ("<details><summary>The symbols of this chapter</summary>\n\n| symbol | meaning | in the code |\n"
+                 "| --- | --- | --- |\n| $u$, $v$; $W, H$ | weights | `hit.u` |\n| $(s, t)$ | a place, $x$ |\n"
+                 "| $R = 2w\\,r$, $E(p, q)$ | a side | |\n\nMore.\n</details>")
+        self.assertEqual(symbols_of(f"# A\n\n{table}\n"), ["u", "v", "W", "H", "s", "t", "R", "E"])
+        self.assertEqual(symbols_of("# A\n"), [])
+
+    def test_in_a_lesson_one_symbol_means_one_thing_and_is_used(self):
+        for path in chapters(ROOT):
+            text = (ROOT / path).read_text()
+            symbols = symbols_of(text)
+            with self.subTest(lesson=str(path)):
+                self.assertEqual(len(symbols), len(set(symbols)), symbols)
+                rest = SYMBOLS.sub("", text)
+                self.assertEqual([symbol for symbol in symbols if symbol not in rest], [])
 
 
 class Glossary(unittest.TestCase):
