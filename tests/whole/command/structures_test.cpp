@@ -43,7 +43,7 @@ TEST_CASE("an unknown structure is refused with the names of all", "[command][re
     for (const std::string chapter :
          {"02_triangles", "03_shading", "04_grid", "05_kd_tree", "06_bvh", "07_compare"}) {
         check_refusal(workplace, chapter, {"--structure", "octree"}, 2,
-                      {"--structure octree", "every_triangle, grid, ", "kd_ropes, "});
+                      {"--structure octree", "every_triangle, fastest, grid, ", "kd_ropes, "});
     }
 }
 
