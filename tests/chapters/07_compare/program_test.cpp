@@ -35,7 +35,7 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
     CHECK_FALSE(std::filesystem::exists(folder / "out/07"));
     REQUIRE(numbers["scenes"].size() == 4); // two, and sphereflake:0 and :1
     const std::size_t contenders = numbers["scenes"][0]["structures"].size();
-    CHECK(contenders == (numbers["embree"] == "" ? 10 : 12));
+    CHECK(contenders == (numbers["embree"] == "" ? 12 : 14));
     for (const auto& scene : numbers["scenes"]) {
         std::set<std::string> found;
         for (const auto& kind : scene["kinds"]) {
