@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     add_picture_options(options, picture);
     options.value("--structure", "",
                   "only these, between commas; each may have options of its builder for itself, as "
-                  "in bvh_ordered,bvh_ordered:split=median:bins=8 (default: ten walks)",
+                  "in bvh_ordered,bvh_ordered:split=median:bins=8 (default: twelve walks)",
                   [&](const std::string& text) { comparison.structures = parse_structures(text); });
     add_walk_options(options, tracing);
     options.list("--scenes", comparison.scenes,

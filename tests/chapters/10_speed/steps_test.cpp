@@ -2,6 +2,10 @@
 
 #include "catch.h"
 #include "gpu/context.h"
+#include "measure/built_structures.h"
+#include "scene/load_scene.h"
+
+#include <glm/geometric.hpp>
 
 using namespace raysteps;
 
@@ -35,6 +39,29 @@ TEST_CASE("a list in rows lies as it was written down", "[10][rays]") {
     }
     for (std::size_t i = rays.size(); i < texels.size(); ++i) {
         REQUIRE(texels[i].t_max < texels[i].t_min);
+    }
+}
+
+TEST_CASE("rays know the primary ray that they come from", "[10][rays]") {
+    const auto context = make_context(ContextKind::automatic);
+    const Scene scene = load_scene("compact:4", 1.0f);
+    const BuiltStructures built(scene, plain_structures({"bvh4"}), {});
+    TraceRays trace(walk_parts("watertight", "bvh4"), measure_limits());
+    const RayTextures camera = generate_rays(scene.camera, 24, 24, RayGeneration::direct);
+    const std::vector<Ray> primary = read_rays(camera);
+    const std::vector<Hit> hits = read_hits(trace.closest_hits(camera, built.of({"bvh4", "bvh4"})));
+    const std::vector<RayKind> kinds = ray_kinds(scene, primary, hits, 1);
+    REQUIRE(kinds.size() == 4);
+    for (const RayKind& kind : kinds) {
+        CAPTURE(kind.name);
+        REQUIRE(kind.from.size() == kind.rays.size());
+        for (std::size_t i = 0; i < kind.rays.size(); ++i) {
+            const Ray& from = primary[kind.from[i]];
+            const glm::vec3 start = kind.name == "primary"
+                                        ? from.origin
+                                        : from.origin + hits[kind.from[i]].t * from.direction;
+            REQUIRE(glm::distance(kind.rays[i].origin, start) < 1e-3f);
+        }
     }
 }
 
