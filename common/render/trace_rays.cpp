@@ -1,6 +1,7 @@
 #include "render/trace_rays.h"
 
 #include "basics/error.h"
+#include "basics/text.h"
 #include "gpu/draw.h"
 #include "structure/structure.h"
 
@@ -83,6 +84,11 @@ WalkTextures make_walk_textures(int width, int height, bool observed) {
 } // namespace
 
 Parts walk_parts(const std::string& triangle, const std::string& structure) {
+    const std::vector<std::string> names = structure_names();
+    if (std::ranges::find(names, structure) == names.end()) {
+        throw InputError(
+            no_such_choice("--structure", structure, "structure", {names.begin(), names.end()}));
+    }
     Parts parts{{"triangle", find_part("triangle", triangle)},
                 {"structure", find_part("structure", single_walk(structure))}};
     if (has_packets(structure)) {

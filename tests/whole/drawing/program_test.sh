@@ -55,7 +55,7 @@ is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
 writes_a_picture_without_a_display() {
   run 0 mirrors --size 64 --pixel 25,38
   says "there is no display"
-  is_png out/view/mirrors_bvh_ordered.png || fail "no picture was written"
+  is_png out/view/mirrors_bvh4.png || fail "no picture was written"
   [ ! -s stderr ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "there is more than one sentence"
   run 0 mirrors --size 64 --pixel 25,38 --structure grid --animate steps
   is_png steps/step_0001.png || fail "there is no picture of step 1"
@@ -106,7 +106,7 @@ open_window() {
   save 1
 }
 
-state_file() { [ "$1" -eq 1 ] && echo "out/view/mirrors_bvh_ordered.json" || echo "out/view/mirrors_bvh_ordered_$1.json"; }
+state_file() { [ "$1" -eq 1 ] && echo "out/view/mirrors_bvh4.json" || echo "out/view/mirrors_bvh4_$1.json"; }
 
 # save NUMBER: K, which writes the state; pressed again until the window has the keyboard.
 save() {
@@ -183,11 +183,11 @@ slides_with_the_mouse() {
 takes_a_screenshot() {
   open_window --pixel 25,38
   xdotool key F12
-  wait_until "a picture" test -s out/view/mirrors_bvh_ordered.png
-  is_png out/view/mirrors_bvh_ordered.png || fail "the screenshot is no picture"
+  wait_until "a picture" test -s out/view/mirrors_bvh4.png
+  is_png out/view/mirrors_bvh4.png || fail "the screenshot is no picture"
   xdotool key h F12
-  wait_until "a second picture" test -s out/view/mirrors_bvh_ordered_2.png
-  ! cmp -s out/view/mirrors_bvh_ordered.png out/view/mirrors_bvh_ordered_2.png || fail "H shows no sheet"
+  wait_until "a second picture" test -s out/view/mirrors_bvh4_2.png
+  ! cmp -s out/view/mirrors_bvh4.png out/view/mirrors_bvh4_2.png || fail "H shows no sheet"
   # Where it cannot be written, the window says so and stays.
   mv out not_out
   : >out
