@@ -16,6 +16,7 @@ WAYS = (
     ("05", "kd-tree", "shape"),
     ("06", "BVH", "good"),
     ("07", "Embree", "quiet"),  # the yardstick of chapter 07: a processor's own ray tracer
+    ("10", "four rays at once", "good"),
 )
 TICKS = ("0.001", "0.01", "0.1", "1", "10")
 LEFT, RIGHT, TOP, STEP, BAR = 196, 470, 44, 40, 28
