@@ -205,3 +205,29 @@ TEST_CASE("a click in space finds the model and the smallest cell under it",
     CHECK(stage.panes().front()->cells.cells[static_cast<std::size_t>(cell)].depth <= 3);
     CHECK(cell_under(all, stage, viewpoint, {pane.x + pane.width + 5, pane.y}) == no_cell);
 }
+
+TEST_CASE("a click from a viewpoint far away finds what the loop finds in every structure",
+          "[visualizer][mouse]") {
+    Stage by_loop;
+    Stage by_tree;
+    State looped = mirrors_state("every_triangle");
+    State walked = mirrors_state("kd_ropes");
+    looped.window = walked.window = {800, 600};
+    by_loop.show(looped);
+    by_tree.show(walked);
+    Camera viewpoint = by_loop.camera();
+    const float times = 1e5f;
+    viewpoint.eye = viewpoint.target + times * (viewpoint.eye - viewpoint.target);
+    viewpoint.vertical_field_of_view /= times;
+    const Area pane = layout_of(looped, 1).panes.front();
+    int found = 0;
+    for (int x = pane.x; x < pane.x + pane.width; x += 20) {
+        for (int y = pane.y; y < pane.y + pane.height; y += 20) {
+            const auto expected = point_under(looped, by_loop, viewpoint, {x, y});
+            CAPTURE(x, y);
+            CHECK(point_under(walked, by_tree, viewpoint, {x, y}) == expected);
+            found += expected ? 1 : 0;
+        }
+    }
+    CHECK(found > 100);
+}
