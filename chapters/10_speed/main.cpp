@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
     options.list("--scenes", scenes, "the scenes to climb in, between commas, in place of --scene");
     options.flag("--full", full,
                  "five scenes (bunny, knot:8, stadium:8, sphereflake:4, mount:8) at 512 x 512: "
-                 "takes some minutes");
+                 "takes about a minute");
     options.number("--rounds", request.rounds,
                    "how often each step is measured, after one round that is dropped", 1, 1000);
     options.text("--embree", embree, "auto, robust, fast or off");
