@@ -144,6 +144,23 @@ TEST_CASE("a triangle without area has finite normals, on the ray's side", "[03]
     }
 }
 
+TEST_CASE("a triangle without area stands on its interpolated normal", "[03]") {
+    const glm::vec3 slanted(0.0f, 0.6f, 0.8f);
+    const Mesh mesh{{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}}, std::vector<glm::vec3>(3, slanted)};
+    const mirror::SceneBuffers buffers(add_mesh(Scene{}, mesh, Material{}));
+    Mirror mirror = mirror::mirror_of<Mirror>(buffers);
+    const auto ray = mirror::to_mirror<Mirror>({{0, 0, 5}, {0, 0, -1}, 0.0f, no_end});
+    Mirror::Hit hit;
+    hit.t = 5.0f;
+    hit.u = 0.25f;
+    hit.v = 0.5f;
+    hit.triangle = 0;
+    const auto surface = mirror.surface_at(ray, hit);
+    // Weighing, scaling and dividing by the length round a component of at most 1 by 2^-24, six
+    // times in all.
+    CHECK(glm::distance(surface.geometric_normal, slanted) < 6.0f * 0x1p-24f * 2.0f);
+}
+
 TEST_CASE("a ray that leaves a triangle does not hit its neighbour in the plane",
           "[03][hard_case]") {
     const int seed = 11;
