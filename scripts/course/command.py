@@ -277,11 +277,12 @@ def verify_all(options):
     with engines.with_companions(engine) as staying:
         findings = verify.verify(staying, chosen, engines.STORE / "verify", options.workers, say)
     wrong = [finding for finding in findings if not finding.is_right]
-    caught = [finding for finding in findings if finding.kind == "mutation" and finding.is_right]
+    caught = [finding for finding in findings
+              if finding.kind in ("mutation", "wrong") and finding.is_right]
     if options.json:
         _print_json({"findings": [vars(finding) for finding in findings], "wrong": len(wrong)})
     else:
-        print(f"{len(chosen)} exercises, {len(caught)} mutations caught, {len(findings)} trials, "
+        print(f"{len(chosen)} exercises, {len(caught)} mistakes caught, {len(findings)} trials, "
               f"{len(wrong)} wrong")
     return CHECK_FAILED if wrong else DONE
 

@@ -48,6 +48,7 @@ class Exercise:
     hints: list
     checkpoints: list
     mutations: list
+    answers: list = field(default_factory=list)  # of answers.toml: as students write them
     region: marks.Region = field(repr=False, default=None)
 
     @property
@@ -105,6 +106,23 @@ def _exercise(table, chapter, place):
                     checkpoints, table.get("mutation", []))
 
 
+def _answers(path, place):
+    """By exercise: what students wrote who knew only the task and the lesson, each right or wrong,
+    with the reason."""
+    by_number = {}
+    if path.exists():
+        try:
+            for answer in tomllib.loads(path.read_text())["answer"]:
+                if answer["kind"] not in ("right", "wrong") or not answer["why"]:
+                    raise CourseError(f"{place}: the answer `{answer['name']}` is neither right nor "
+                                      "wrong, or does not say why. Write it so.")
+                by_number.setdefault(answer["exercise"], []).append(answer)
+        except (KeyError, tomllib.TOMLDecodeError) as error:
+            raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
+                              "chapters.") from error
+    return by_number
+
+
 def load(root=ROOT):
     """All exercises in the order of their numbers, with their regions in the sources."""
     exercises, texts = [], {}
@@ -116,7 +134,13 @@ def load(root=ROOT):
         except (KeyError, tomllib.TOMLDecodeError) as error:
             raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
                               "chapters.") from error
+        answers = _answers(path.with_name("answers.toml"), place.with_name("answers.toml"))
+        unknown = set(answers) - {exercise.number for exercise in found}
+        if unknown:
+            raise CourseError(f"{place.with_name('answers.toml')}: {min(unknown)} is no exercise of "
+                              f"{place}. Put its number right.")
         for exercise in found:
+            exercise.answers = answers.get(exercise.number, [])
             if exercise.file not in texts:
                 texts[exercise.file] = (root / exercise.file).read_text()
             marked = marks.regions(texts[exercise.file], exercise.file)

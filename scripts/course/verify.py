@@ -8,7 +8,8 @@ from .check import FAILED, PASSED, STATES, judge
 from .exercises import ROOT, load
 from .own import Own
 
-REJECTED = (FAILED, STATES["time"])  # a loop that never ends is caught by its time
+# A loop that never ends is caught by its time, and C++ that reads beyond its data may crash.
+REJECTED = (FAILED, STATES["time"], STATES["crash"])
 
 
 @dataclass
@@ -16,7 +17,7 @@ class Finding:
     """What one trial of an exercise came to: `text` says what was tried."""
 
     number: str
-    kind: str  # complete, blank, solution, mutation
+    kind: str  # complete, blank, solution, mutation, right, wrong
     text: str
     is_right: bool
     detail: str = ""
@@ -88,6 +89,11 @@ def _trials(engine, exercise, store):
         else:
             yield lambda mutation=mutation, code=code: _try(
                 engine, exercise, "mutation", mutation["name"], code, REJECTED)
+    for answer in exercise.answers:
+        expected = (PASSED,) if answer["kind"] == "right" else REJECTED
+        yield lambda answer=answer, expected=expected: _try(
+            engine, exercise, answer["kind"], answer["name"], answer["code"].strip("\n").split("\n"),
+            expected, store if answer["kind"] == "right" else None)
 
 
 def _neighbours(engine, exercise, exercises):
