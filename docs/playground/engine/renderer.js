@@ -14,6 +14,7 @@
 //   await gpu.finished()              milliseconds until what was asked for so far is done
 //   gpu.readFloats(texture), gpu.readIntegers(texture, layer)
 //   gpu.name                          of the renderer, as the browser tells it
+//   gpu.generation()                  grows with each context: what was made before is gone
 //   gpu.state                         "ready", "lost" (wait for gpu.onRestored) or "gone" (for good)
 //   gpu.onLost, gpu.onRestored, gpu.onGone    functions to set. Nothing runs by itself after a loss.
 "use strict";
@@ -422,6 +423,7 @@
     }
     begin();
     return Object.assign(gpu, {
+      generation: () => generation,
       program, forget, texture, buffer, free, draw, clear, mask, retire, any, finished, nextTask, readFloats, readIntegers, lineThatRanOut,
     });
   }
