@@ -218,6 +218,7 @@
     });
     find("legend-bar").style.background = `linear-gradient(to right, ${play.legendColors.join(", ")})`;
     for (const canvas of [find("mine"), find("right"), find("difference")]) canvas.addEventListener("click", showPixel);
+    play.page = { gpu, run, editor }; // for whoever looks in from outside
     if (!gpu) return;
     gpu.onLost = () => {
       document.body.dataset.state = "lost";
