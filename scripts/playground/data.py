@@ -5,6 +5,7 @@ A page that is opened from a disk may load scripts, and nothing else. So what it
 import base64
 import gzip
 import json
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -12,6 +13,7 @@ from pathlib import Path
 PAGE = "docs/playground"
 PROGRAM = "scripts/playground/playground_scene"
 SCENES = ("knot:1", "mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
+LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
 ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag")
 ENDINGS = (".glsl", ".frag", ".vert")
 WIDTH = 120  # characters in a line of base64
@@ -64,3 +66,32 @@ def write_data(root, build, folder):
         file = folder / scene_file(name)
         if not file.exists() or packed_scene(file.read_text()) != packed:
             file.write_text(scene_script(name, packed))
+
+
+def write_large_scenes(build, folder, say):
+    """The scenes that are too large for the repository, for copy_page. They take some seconds, and are made where they are missing."""
+    if not (build / PROGRAM).exists():
+        say(f"playground: {build / PROGRAM} is missing, so the book offers small scenes only. Build the target playground_scene.")
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in LARGE_SCENES:
+        file = folder / scene_file(name)
+        if not file.exists() or file.stat().st_mtime < (build / PROGRAM).stat().st_mtime:
+            say(f"playground: packing {name}")
+            file.write_text(scene_script(name, pack_scene(build, name)))
+
+
+def copy_page(root, large, to):
+    """The page and all that it needs, with the large scenes that the folder `large` has."""
+    shutil.rmtree(to, ignore_errors=True)
+    shutil.copytree(root / PAGE, to)
+    offers = [f"Raysteps.play.offerScene({json.dumps(name)}, {json.dumps('data/' + scene_file(name))});\n"
+              for name in LARGE_SCENES if (large / scene_file(name)).exists()]
+    if not offers:
+        return
+    for name in LARGE_SCENES:
+        shutil.copyfile(large / scene_file(name), to / "data" / scene_file(name))
+    (to / "data" / "offers.js").write_text("".join(offers))
+    page = to / "index.html"
+    own = '<script defer src="editor.js"></script>'
+    page.write_text(page.read_text().replace(own, f'<script defer src="data/offers.js"></script>\n{own}'))

@@ -74,8 +74,11 @@ private:
 
     void put(Numbers& list, const std::string& name, const char* kind, std::size_t texels,
              std::span<const std::byte> bytes) {
-        list.push_back({{"name", name}, {"kind", kind}, {"texels", texels},
-                        {"start", bytes_.size()}, {"bytes", bytes.size()}});
+        list.push_back({{"name", name},
+                        {"kind", kind},
+                        {"texels", texels},
+                        {"start", bytes_.size()},
+                        {"bytes", bytes.size()}});
         bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     }
 
@@ -110,8 +113,8 @@ Numbers family_head(const StructureFamily& family, const Scene& scene, float rea
     for (const auto& [name, number] : built.packed.numbers) {
         numbers[name] = number;
     }
-    return {{"name", family.name}, {"arrays", list}, {"points", points},
-            {"counts", counts}, {"numbers", numbers}, {"longest_walk", built.longest_walk}};
+    return {{"name", family.name}, {"arrays", list},     {"points", points},
+            {"counts", counts},    {"numbers", numbers}, {"longest_walk", built.longest_walk}};
 }
 
 std::string playground_file(const Scene& scene) {

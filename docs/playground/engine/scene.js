@@ -1,7 +1,8 @@
 // A scene with all its structures, as scripts/playground/playground_scene.cpp writes it.
 //
 //   play.addScene("knot:1", base64)   keeps the packed file (data/scene_*.js calls it)
-//   play.sceneNames()                 of all that were added
+//   play.offerScene("bunny", "data/scene_bunny.js")   a scene that is loaded when it is opened first
+//   play.sceneNames()                 of all that were added or offered
 //   await play.openScene("knot:1")    a scene:
 //     {scene, scene_hash, triangles, view, middle_distance, background, reach,
 //      arrays: {uniform: {kind, texels, data}}, families: {name: {arrays, points, counts, numbers, longest_walk}}}
@@ -15,10 +16,28 @@
   const play = (globalThis.Raysteps ??= {}).play ??= {};
   const octants = 8;
   const packed = new Map();
+  const offered = new Map();
   const opened = new Map();
 
   function addScene(name, base64) {
     packed.set(name, base64);
+  }
+
+  function offerScene(name, address) {
+    offered.set(name, address);
+  }
+
+  // By an element of the page, since a page from the disk may load a script and nothing else.
+  function load(name) {
+    if (packed.has(name)) return Promise.resolve();
+    return new Promise((resolve, reject) => {
+      const script = Object.assign(document.createElement("script"), { src: offered.get(name), onload: resolve });
+      script.onerror = () => {
+        opened.delete(name);
+        reject(new play.PlayError(`The scene ${name} could not be loaded from ${offered.get(name)}. Take another one.`));
+      };
+      document.head.append(script);
+    });
   }
 
   async function unzip(base64) {
@@ -150,12 +169,12 @@
   }
 
   function openScene(name) {
-    if (!packed.has(name)) throw new play.PlayError(`There is no scene ${name}. Take one of ${sceneNames().join(", ")}.`);
-    if (!opened.has(name)) opened.set(name, unzip(packed.get(name)).then(unpack));
+    if (!sceneNames().includes(name)) throw new play.PlayError(`There is no scene ${name}. Take one of ${sceneNames().join(", ")}.`);
+    if (!opened.has(name)) opened.set(name, load(name).then(() => unzip(packed.get(name))).then(unpack));
     return opened.get(name);
   }
 
-  const sceneNames = () => [...packed.keys()];
+  const sceneNames = () => [...new Set([...packed.keys(), ...offered.keys()])];
 
   function familyOf(scene, walk) {
     const single = walk.replace(/^packet_/, "");
@@ -168,5 +187,5 @@
     return Object.fromEntries(Object.entries(scene.view).map(([name, value]) => [`view.${name}`, value]));
   }
 
-  Object.assign(play, { addScene, sceneNames, openScene, familyOf, viewUniforms });
+  Object.assign(play, { addScene, offerScene, sceneNames, openScene, familyOf, viewUniforms });
 })();
