@@ -2,8 +2,8 @@
 //
 //   play.viewNames()                  the parts of <view>, and the heat maps visits and tests
 //   play.observerOf(view)             which observer a trace needs for the view
-//   play.viewPicture(gpu, scene, rays, result, view, edits)
-//       {pixels: ImageData, legend}   legend: null, or {title, upper} of a heat map
+//   play.viewPicture(gpu, scene, rays, result, view, {edits, upper})
+//       {pixels: ImageData, legend}   legend: null, or {title, upper} of a heat map, whose scale may be given
 //   play.differencePicture(gpu, mine, right)
 //       {pixels, differing, first: {x, y} or null}      results of two traces; what was observed counts too
 //   play.pixelOf(gpu, result, x, y)   {t, u, v, triangle, words, visits, tests}: words are the bits; x, y from the top left
@@ -51,7 +51,7 @@
     return pixels;
   }
 
-  function viewPicture(gpu, scene, rays, result, view, edits = {}) {
+  function viewPicture(gpu, scene, rays, result, view, { edits = {}, upper = null } = {}) {
     const { width, height } = result;
     const words = play.readHits(gpu, result);
     const isStopped = (ray) => words[4 * ray + 3] === play.stoppedMark;
@@ -59,10 +59,10 @@
       const seen = play.readObservations(gpu, result);
       const values = Float64Array.from({ length: width * height }, (_, ray) => seen[4 * ray + (view === "visits" ? 0 : 1)]);
       const busy = values.filter((value) => value > 0).sort();
-      const upper = busy.length ? busy[Math.max(1, Math.ceil(ofMost * busy.length)) - 1] : 1;
+      const most = upper ?? (busy.length ? busy[Math.max(1, Math.ceil(ofMost * busy.length)) - 1] : 1);
       return {
-        pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : heatColor(values[ray] / upper))),
-        legend: { title: heatMaps[view], upper },
+        pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : heatColor(values[ray] / most))),
+        legend: { title: heatMaps[view], upper: most },
       };
     }
     const colors = gpu.texture("rgba32f", width, height);

@@ -81,8 +81,8 @@
         const options = { walk, triangle, observer: play.observerOf(view), edits, signal: own.signal, onProgress };
         rays = play.cameraRays(gpu, scene, size, edits);
         mine = await play.trace(gpu, scene, rays, options);
-        const picture = play.viewPicture(gpu, scene, rays, mine, view, edits);
         const right = isEdited() ? await rightPicture(scene, options) : null;
+        const picture = play.viewPicture(gpu, scene, rays, mine, view, { edits, upper: right?.picture.legend?.upper });
         const difference = right ? play.differencePicture(gpu, mine, right.result) : null;
         if (own.signal.aborted) throw new play.Stopped("Stopped.");
         play.release(gpu, last?.mine);

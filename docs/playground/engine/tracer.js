@@ -99,6 +99,7 @@
     const everywhere = live ?? gpu.mask(width, height);
     const isLeft = gpu.program("pass/select/select_unfinished.frag", {});
     let launches = 0;
+    let stoppedPackets = null;
     const pace = { rounds: options.rounds ?? 256, rows: height };
 
     const makeState = () => ({
@@ -193,29 +194,54 @@
       const bands = trial && height > trialSize ? [[middle, Math.min(height, middle + Math.ceil(trialSize * trialSize / width))], [0, height]] : [[0, height]];
       for (const rows of bands) {
         freeWalk(gpu, ended);
-        ended = await walkOn(await start(rows), rows);
+        ended = await walkOn(start(rows), rows);
         const found = stoppedIn(ended, rows);
         if (found) {
           const told = inWords(found, begin);
           return result(told);
         }
       }
-      return result(null);
+      return result(stoppedPackets);
     } finally {
       freeWalk(gpu, begin);
       if (!live) gpu.gl.deleteRenderbuffer(everywhere.id);
     }
 
     // In packets first, where the walk has them: what they leave unfinished goes on ray by ray.
-    async function start(rows) {
+    function start(rows) {
       if (!parts.packet || observer !== "none" || live || rows[1] - rows[0] < height) return begin;
       const quads = gpu.texture("rgba32ui", Math.ceil(width / 2), Math.ceil(height / 2), { layers: 4 });
       const packets = gpu.program("pass/trace/trace_packets.frag", parts, edits);
-      gpu.draw(packets, { ...uniforms, rounds: roundsOfPackets }, [quads], { clear: [marks.unfinished] });
+      const values = { ...uniforms, rounds: roundsOfPackets };
+      const isEdited = packets.files.some((file) => edits[file] !== undefined);
+      stoppedPackets = isEdited && trial ? packetsThatRanOut(packets, values, quads) : null;
+      if (stoppedPackets) {
+        gpu.free(quads);
+        return begin;
+      }
+      gpu.draw(packets, values, [quads], { clear: [marks.unfinished] });
       launches += 1;
-      freeWalk(gpu, { hits: begin.hits });
+      gpu.free(begin.hits);
       begin.hits = quads;
       return begin;
+    }
+
+    // A few packets of an edited text, to see whether its loops end. Those that only run out of stack are no fault.
+    function packetsThatRanOut(packets, values, quads) {
+      const middle = Math.floor(quads.height / 2);
+      const rows = [middle, Math.min(quads.height, middle + Math.ceil(trialSize * trialSize / 4 / quads.width))];
+      gpu.draw(packets, values, [quads], { clear: [marks.unfinished], rows });
+      const words = gpu.readIntegers(quads);
+      const left = [];
+      for (let quad = rows[0] * quads.width; quad < rows[1] * quads.width; ++quad) {
+        if (words[4 * quad + 3] === unfinished) left.push(quad);
+      }
+      const place = left.length ? gpu.lineThatRanOut(packets, values, quads.width, quads.height, rows) : null;
+      if (!place) return null;
+      const x = 2 * (left[0] % quads.width);
+      const y = height - 1 - 2 * Math.floor(left[0] / quads.width);
+      const sentence = `A loop without an end was stopped in ${left.length} packets of a trial, the first at (${x}, ${y}). The rounds ran out at ${place.file}:${place.line}: look at that loop, and at those around it. The picture was made without packets.`;
+      return { pixels: 4 * left.length, x, y, ...place, sentence };
     }
 
     function result(told) {

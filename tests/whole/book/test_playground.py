@@ -273,6 +273,18 @@ class Playground(unittest.TestCase):
                 self.wait_for("picture")
                 self.assertIn("This is the project's own text", self.said())
 
+    def test_a_loop_without_an_end_in_packets_is_stopped_and_its_line_named(self):
+        self.open()
+        self.choose("walk", "packet_bvh4")
+        self.wait_for("picture")
+        self.browser.execute_script(
+            "const select = document.getElementById('file'); select.value = 'structure/bvh/packet_bvh4.glsl';"
+            "select.dispatchEvent(new Event('change'))")
+        self.type_over("PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {",
+                       "PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {\n    while (true) {}")
+        self.wait_for("picture")
+        self.assertIn(f"structure/bvh/packet_bvh4.glsl:{self.line_of('while (true)')}:", self.said())
+
     def test_a_walk_that_comes_to_no_end_is_stopped(self):
         self.open()
         self.type_over("node = met && !is_bvh_leaf(here) ? node + 1 : here.skip;", "node = node;")
