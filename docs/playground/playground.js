@@ -146,13 +146,15 @@
   function showPixel(event) {
     const canvas = event.currentTarget;
     const box = canvas.getBoundingClientRect();
-    const x = Math.min(canvas.width - 1, Math.floor((event.clientX - box.left) / box.width * canvas.width));
-    const y = Math.min(canvas.height - 1, Math.floor((event.clientY - box.top) / box.height * canvas.height));
+    const inside = (part, size) => Math.max(0, Math.min(size - 1, Math.floor(part * size)));
+    const x = inside((event.clientX - box.left) / box.width, canvas.width);
+    const y = inside((event.clientY - box.top) / box.height, canvas.height);
     const found = gpu.state === "ready" ? run.pixel(x, y) : null;
     if (!found) return;
+    const digits = (value) => Number(value.toPrecision(9)); // which give back the same float
     const line = (name, hit) => {
       const what = hit.triangle === -1 ? "no hit" : hit.triangle < 0 ? "stopped"
-        : `triangle ${hit.triangle}, t ${hit.t}, u ${hit.u}, v ${hit.v} (bits ${hit.words.slice(0, 3).map((word) => word.toString(16).padStart(8, "0")).join(" ")})`;
+        : `triangle ${hit.triangle}, t ${digits(hit.t)}, u ${digits(hit.u)}, v ${digits(hit.v)} (bits ${hit.words.slice(0, 3).map((word) => word.toString(16).padStart(8, "0")).join(" ")})`;
       return `${name}: ${what}${hit.visits === null ? "" : `; ${hit.visits} visits, ${hit.tests} tests`}`;
     };
     find("pixel").textContent = `Pixel (${x}, ${y}). ${line("Yours", found.mine)}${found.right ? `. ${line("Right", found.right)}` : ""}.`;
