@@ -17,6 +17,8 @@
   let editor = null;
   let file = null;
   let waiting = 0;
+  let turn = 0;
+  let looked = null; // at which pixel
 
   function recall() {
     try {
@@ -114,8 +116,10 @@
     listFiles();
     find("stop").disabled = false;
     document.body.dataset.state = "running";
+    const own = turn += 1;
     const outcome = await run.go();
-    if (outcome.kind === "stopped" && document.body.dataset.state === "running" && find("stop").disabled === false) return;
+    if (own !== turn) return; // another run has begun, and will tell
+    if (outcome.kind === "lost" && gpu.state !== "lost") return;
     find("stop").disabled = true;
     document.body.dataset.state = outcome.kind;
     if (outcome.kind === "picture") {
@@ -143,12 +147,25 @@
     run.stop();
   }
 
-  function showPixel(event) {
+  // By a click, or by arrow keys.
+  function point(event) {
     const canvas = event.currentTarget;
-    const box = canvas.getBoundingClientRect();
-    const inside = (part, size) => Math.max(0, Math.min(size - 1, Math.floor(part * size)));
-    const x = inside((event.clientX - box.left) / box.width, canvas.width);
-    const y = inside((event.clientY - box.top) / box.height, canvas.height);
+    const inside = (place, size) => Math.max(0, Math.min(size - 1, Math.floor(place)));
+    const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1], Enter: [0, 0] };
+    if (event.type === "click") {
+      const box = canvas.getBoundingClientRect();
+      looked = [(event.clientX - box.left) / box.width * canvas.width, (event.clientY - box.top) / box.height * canvas.height];
+    } else if (steps[event.key]) {
+      event.preventDefault();
+      looked = (looked ?? [canvas.width / 2, canvas.height / 2]).map((place, i) => place + steps[event.key][i]);
+    } else {
+      return;
+    }
+    looked = [inside(looked[0], canvas.width), inside(looked[1], canvas.height)];
+    showPixel(...looked);
+  }
+
+  function showPixel(x, y) {
     const found = gpu.state === "ready" ? run.pixel(x, y) : null;
     if (!found) return;
     const digits = (value) => Number(value.toPrecision(9)); // which give back the same float
@@ -219,7 +236,10 @@
       go();
     });
     find("legend-bar").style.background = `linear-gradient(to right, ${play.legendColors.join(", ")})`;
-    for (const canvas of [find("mine"), find("right"), find("difference")]) canvas.addEventListener("click", showPixel);
+    for (const canvas of [find("mine"), find("right"), find("difference")]) {
+      canvas.tabIndex = 0;
+      for (const kind of ["click", "keydown"]) canvas.addEventListener(kind, point);
+    }
     play.page = { gpu, run, editor }; // for whoever looks in from outside
     if (!gpu) return;
     gpu.onLost = () => {

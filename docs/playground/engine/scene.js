@@ -41,6 +41,9 @@
   }
 
   async function unzip(base64) {
+    if (!globalThis.DecompressionStream) {
+      throw new play.PlayError("This browser cannot unpack the scenes (it has no DecompressionStream). A newer one runs the shaders; the recorded pictures and walks work all the same.");
+    }
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Response(stream).arrayBuffer();

@@ -11,7 +11,7 @@
 //       {kind: "lost", sentence}      the graphics context is away
 //       {kind: "failed", sentence}    anything else, in words
 //   run.stop()
-//   run.pixel(x, y)                   {mine, right} of the last run: play.pixelOf of both
+//   run.pixel(x, y)                   {mine, right} of the last run: play.pixelOf of both; nothing where there is none
 //   run.release()                     gives back all that is on the GPU
 "use strict";
 
@@ -98,7 +98,8 @@
         if (error instanceof play.Stopped) return { kind: "stopped" };
         if (error instanceof play.ContextLost) return { kind: "lost", sentence: error.message };
         if (error instanceof play.PlayError) return { kind: "failed", sentence: error.message };
-        throw error;
+        console.error(error);
+        return { kind: "failed", sentence: `The page itself has a fault (${error.message}). Your text is kept: reload the page, and report the fault.` };
       } finally {
         if (rays) gpu.free(rays.origins, rays.directions);
         play.release(gpu, mine);
@@ -107,7 +108,7 @@
     }
 
     function pixel(x, y) {
-      return last && {
+      return last && last.mine.hits.generation === gpu.generation() && {
         mine: play.pixelOf(gpu, last.mine, x, y), right: last.right ? play.pixelOf(gpu, last.right, x, y) : null,
       };
     }
