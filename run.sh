@@ -7,6 +7,7 @@
 #   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
 #   ./run.sh book [--port N]      makes the book, and serves it on this machine (127.0.0.1:8000)
 #   ./run.sh book --pdf           makes the book, and prints it into one PDF
+#   ./run.sh book --zip           makes the book, and packs it and the playground into one file
 #   ./run.sh --no-install ...     installs nothing: lists what is missing, and stops if anything is
 #   ./run.sh --help               says this
 set -euo pipefail
@@ -17,7 +18,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,11s/^# \{0,1\}//p' run.sh
+  sed -n '2,12s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
