@@ -120,7 +120,9 @@ def hits_of_the_program(rays):
         return answered.read_bytes()
 
 
-class Playground(unittest.TestCase):
+class PlaygroundTest(unittest.TestCase):
+    """Tests that share one browser, and what a reader does to the page."""
+
     @classmethod
     def setUpClass(cls):
         cls.browser = start_browser()
@@ -155,6 +157,14 @@ class Playground(unittest.TestCase):
             time.sleep(0.05)
         self.fail(f"the page is {state}, not {states}: {self.said()}")
 
+    def wait_until(self, script, seconds=60):
+        for _ in range(seconds * 20):
+            found = self.browser.execute_script(script)
+            if found:
+                return found
+            time.sleep(0.05)
+        return self.fail(f"this did not become true: {script}")
+
     def said(self):
         return self.browser.find_element("id", "said").text
 
@@ -178,6 +188,14 @@ class Playground(unittest.TestCase):
     def complaints(self):
         return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
 
+    def keep_picture(self, name):
+        """A screenshot, for a person to look at."""
+        folder = STORE / "screenshots"
+        folder.mkdir(parents=True, exist_ok=True)
+        self.browser.save_screenshot(str(folder / f"{name}.png"))
+
+
+class Playground(PlaygroundTest):
     def test_every_program_without_double_compiles(self):
         found = self.run_in_page(COMPILE)
         self.assertEqual(found["faults"], [])
@@ -344,12 +362,6 @@ class Playground(unittest.TestCase):
             self.keep_picture("playground_narrow")
         finally:
             self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-
-    def keep_picture(self, name):
-        """A screenshot, for a person to look at."""
-        folder = STORE / "screenshots"
-        folder.mkdir(parents=True, exist_ok=True)
-        self.browser.save_screenshot(str(folder / f"{name}.png"))
 
 
 if __name__ == "__main__":
