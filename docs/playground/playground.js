@@ -222,6 +222,8 @@
       if (!(error instanceof play.PlayError)) throw error;
       gpu = null;
       document.body.dataset.state = "without";
+      find("still").hidden = !(find("mine").hidden = true);
+      find("mine").nextElementSibling.nextElementSibling.textContent = "a picture that was made elsewhere";
       say(error.message);
     }
     run = play.openSession(gpu, initial);

@@ -14,7 +14,7 @@ PAGE = "docs/playground"
 PROGRAM = "scripts/playground/playground_scene"
 SCENES = ("knot:1", "mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
 LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
-ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag")
+ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
 ENDINGS = (".glsl", ".frag", ".vert")
 WIDTH = 120  # characters in a line of base64
 
