@@ -14,11 +14,11 @@ MOST_BYTES_SHOWN = 20_000
 
 @dataclass
 class Limits:
-    seconds: float = 60.0  # of the clock
-    cpu_seconds: int = 60  # of all of its threads together; 0: no limit
+    seconds: float = 60.0  # of the clock: other programs may hold it up
+    cpu_seconds: int = 4  # of all of its threads together; 0: no limit. The project's own code takes 1.2
     memory_bytes: int = 8 << 30  # of addresses: the software renderer reserves far more than it uses; 0: no limit
     file_bytes: int = 64 << 20  # of each file that it writes, its output included
-    processes: int = 512  # of this user; the system does not count those of root
+    processes: int = 512  # of this user, where the system counts them: not those of root; 0: no limit
 
 
 @dataclass
@@ -40,7 +40,7 @@ def _limit(limits):
                        (resource.RLIMIT_NPROC, limits.processes),
                        (resource.RLIMIT_CORE, 0)):
         _, hard = resource.getrlimit(kind)
-        if kind in (resource.RLIMIT_AS, resource.RLIMIT_CPU) and most == 0:
+        if kind != resource.RLIMIT_CORE and most == 0:
             continue
         most = most if hard == resource.RLIM_INFINITY else min(most, hard)
         # At the lower limit of time a signal says so; at the upper one there is no way on.
@@ -55,14 +55,19 @@ def _kill_all(process):
         pass
 
 
-def _tail(file):
+def _tail(file, most=MOST_BYTES_SHOWN):
     end = file.seek(0, os.SEEK_END)
-    file.seek(max(0, end - MOST_BYTES_SHOWN))
+    file.seek(max(0, end - most))
     return file.read().decode(errors="replace")
 
 
-def run(command, limits, environment=None, folder=None):
-    """Output goes to files without a name, which the limits hold as well."""
+def signal_of(code):
+    """The number of the signal that ended a run; 0 where none did. A shell and bubblewrap add it to 128."""
+    return -code if code < 0 else max(0, code - 128)
+
+
+def run(command, limits, environment=None, folder=None, most_shown=MOST_BYTES_SHOWN):
+    """Output goes to files without a name, which the limits hold as well; its end is returned."""
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         start = time.monotonic()
         timed_out = False
@@ -78,8 +83,9 @@ def run(command, limits, environment=None, folder=None):
             raise
         _kill_all(process)  # what it left running goes too
         code = process.wait()
-        timed_out = timed_out or code == -signal.SIGXCPU
-        return Outcome(code, timed_out, _tail(output), _tail(errors), time.monotonic() - start)
+        timed_out = timed_out or signal_of(code) == signal.SIGXCPU
+        return Outcome(code, timed_out, _tail(output, most_shown), _tail(errors),
+                       time.monotonic() - start)
 
 
 class Companion:
