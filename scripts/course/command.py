@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 from . import bubblewrap, check, class_report, engine as engines, exercises as catalog, formulas, grade
-from . import report, submission, verify, view as viewer, workbook
+from . import headers, report, submission, verify, view as viewer, workbook
 from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError, MachineError
 
 WORKBOOK = catalog.ROOT / "workbook"
@@ -20,7 +20,8 @@ def _print_json(value):
     print(json.dumps(value, indent=1))
 
 
-def _engine(options):
+def _engine(options, exercises):
+    """What checks these exercises."""
     engine = engines.Engine()
     if options.seconds:
         engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
@@ -28,11 +29,11 @@ def _engine(options):
     engine.build_limits.memory_bytes = options.memory << 30
     if options.build:
         engine.build = Path(options.build).resolve()
-        for program in (engine.shaders_program(), engine.builders_program()):
+        for program in engine.programs_for(exercises):
             if not program.exists():
                 raise CourseError(f"{program}: is not there. Build it, or leave out --build.")
         return engine
-    engines.ensure_programs(engine)
+    engines.ensure_programs(engine, engine.programs_for(exercises))
     return engine
 
 
@@ -106,7 +107,7 @@ def _times(options):
 
 def check_some(options):
     workbook.require(options.workbook)
-    engine = _engine(options)
+    engine = _engine(options, catalog.select(catalog.load(), options.which))
     code = _check_once(options, engine)
     while options.watch:
         before = _times(options)
@@ -119,7 +120,7 @@ def check_some(options):
 
 def view(options):
     exercise = catalog.select_one(catalog.load(), options.which)
-    engine = _engine(options)
+    engine = _engine(options, [exercise])
     rays = _given_ray(options)
     if rays:
         return viewer.open_visualizer(engine, viewer.given_ray(exercise, rays[0]),
@@ -158,7 +159,7 @@ def show(options):
     if options.json:
         _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
                      "file": str(path), "formulas": exercise.formulas, "source": exercise.source,
-                     "chapter": exercise.chapter,
+                     "chapter": exercise.chapter, "includes": headers.of(exercise),
                      "checkpoints": [checkpoint.name for checkpoint in exercise.checkpoints]})
         return DONE
     print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
@@ -169,6 +170,8 @@ def show(options):
     if code is not None:
         line = f":{_line_of(path, exercise)}"
     print(f"\nfile         {os.path.relpath(path)}{line}")
+    for place, words in enumerate(headers.as_text(exercise)):
+        print(f"{'' if place else 'headers':<12} {words}")
     print(f"lesson       chapters/{exercise.chapter}/README.md")
     print(f"source       {exercise.source}")
     print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
@@ -233,7 +236,7 @@ def _grade_submissions(options):
         raise CourseError(f"{options.one}: there is no such submission.")
     if not options.without_sandbox:
         bubblewrap.require()
-    engine = _engine(options)
+    engine = _engine(options, chosen)
     engine.is_enclosed = not options.without_sandbox
     paths = [Path(options.one)] if options.one else submission.list_submissions(Path(options.folder))
     grades = []
@@ -287,8 +290,8 @@ def grade_all(options):
 
 
 def verify_all(options):
-    engine = _engine(options)
     chosen = catalog.select(catalog.load(), options.which)
+    engine = _engine(options, chosen)
 
     def say(finding):
         if not options.json and (options.verbose or not finding.is_right):

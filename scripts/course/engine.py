@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -23,6 +24,7 @@ from .failure import Failure, of_refusal, of_run
 BUILD = ROOT / "build" / "default"
 STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
 
+SECONDS_BETWEEN_LINES = 5  # of progress, where it goes to a file
 CLOCK_IN_CPP = 20  # seconds: what a right answer in C++ takes is far below
 MOST_BYTES_OF_ANSWERS = 8 << 20
 
@@ -52,6 +54,11 @@ class Engine:
     def builders_program(self):
         return self.build / "scripts" / "course" / "answers" / "course_builders"
 
+    def programs_for(self, exercises):
+        """Those that check the exercises."""
+        needed = [self.shaders_program()] if any(one.is_shader for one in exercises) else []
+        return needed + ([self.builders_program()] if not all(one.is_shader for one in exercises) else [])
+
 
 def _is_older(program, folders):
     if not program.exists():
@@ -61,28 +68,43 @@ def _is_older(program, folders):
                for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".h", ".inc"))
 
 
-def ensure_programs(engine):
-    """Builds what is missing or out of date, by CMake as everything else is."""
-    programs = [engine.shaders_program(), engine.builders_program()]
-    if not any(_is_older(program, ["common", "scripts/course/answers"]) for program in programs):
+def ensure_programs(engine, programs):
+    """Builds those that are missing or out of date, by CMake as everything else is."""
+    old = [program for program in programs if _is_older(program, ["common", "scripts/course/answers"])]
+    if not old:
         return
-    print("course: building the programs that check, which takes minutes the first time (see "
+    print("course: building what checks, which takes a minute or more the first time (see "
           "build/course/build.log)", file=sys.stderr)
     STORE.mkdir(parents=True, exist_ok=True)
     tests = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF"]
+    targets = [program.name for program in old]
     with locked(STORE / "build.lock"), open(STORE / "build.log", "w") as log:
         for command in (["cmake", "--preset", "default", *tests],
-                        ["cmake", "--build", "--preset", "default", "--target", "course_shaders",
-                         "course_builders"]):
-            try:
-                done = subprocess.run(command, cwd=ROOT, stdout=log, stderr=log, check=False)
-            except FileNotFoundError as error:
-                raise MachineError("cmake is missing. Run ./run.sh once: it installs what lacks.") \
-                    from error
-            if done.returncode != 0:
+                        ["cmake", "--build", "--preset", "default", "--target", *targets]):
+            if _run_with_progress(command, log) != 0:
                 raise MachineError(f"`{' '.join(command)}` failed. Read build/course/build.log.")
-    for program in programs:  # where nothing had to be linked, the time says so too
+    for program in old:  # where nothing had to be linked, the time says so too
         program.touch()
+
+
+def _run_with_progress(command, log):
+    """The exit code. Ninja's `[3/97]` becomes a line that is written again and again on a terminal, and now
+    and then elsewhere."""
+    is_terminal, last = sys.stderr.isatty(), time.monotonic()
+    try:
+        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   text=True, errors="replace")
+    except FileNotFoundError as error:
+        raise MachineError("cmake is missing. Run ./run.sh once: it installs what lacks.") from error
+    with process:
+        for line in process.stdout:
+            log.write(line)
+            done = re.match(r"\[(\d+)/(\d+)\]", line)
+            if done and (is_terminal or time.monotonic() > last + SECONDS_BETWEEN_LINES or done[1] == done[2]):
+                last = time.monotonic()
+                print(f"{chr(13) if is_terminal else ''}course: {done[1]} of {done[2]} parts are built",
+                      end="" if is_terminal and done[1] != done[2] else "\n", file=sys.stderr, flush=True)
+    return process.returncode
 
 
 @contextmanager

@@ -11,6 +11,7 @@ from .errors import CourseError
 from .own import MOST_BYTES
 from .workbook import files_of
 
+MOST_BYTES_OF_TAR = 1 << 30
 ENDINGS = (".zip", ".tar.gz", ".tar.bz2", ".tar.xz", ".tgz", ".tar")
 
 
@@ -41,7 +42,7 @@ def name_of(path):
     terminal or a table would take for more than a name is written as Python does."""
     short = _short_name(path)
     is_alone = all(other.name == path.name or _short_name(other) != short
-                   for other in path.resolve().parent.iterdir())
+                   for other in path.absolute().parent.iterdir())
     name = short if is_alone else path.name
     return name if name.isprintable() else ascii(name)
 
@@ -74,9 +75,12 @@ class _Finder:
         """Writes each file that was found; returns remarks on those that were somewhere else."""
         remarks = []
         for file, entries in sorted(self._entries.items()):
-            is_elsewhere, _, name, read = min(entries, key=lambda entry: entry[:3])
+            is_elsewhere, depth, name, read = min(entries, key=lambda entry: entry[:3])
+            shown = name if name.isprintable() else ascii(name)
             if is_elsewhere:
-                remarks.append(f"{file} was found as {name if name.isprintable() else ascii(name)}.")
+                remarks.append(f"{file} was found as {shown}.")
+            if sum(entry[:2] == (is_elsewhere, depth) for entry in entries) > 1:
+                remarks.append(f"{file} is there {len(entries)} times; {shown} was taken.")
             path = target / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(read(MOST_BYTES + 1))  # one more tells that there were too many
@@ -91,7 +95,11 @@ def _add_zip(packed, finder):
 
 
 def _add_tar(packed, finder):
+    unpacked = 0
     for entry in packed:
+        unpacked += entry.size
+        if unpacked > MOST_BYTES_OF_TAR:  # all that stands before an entry has to be unpacked to get there
+            raise ValueError("more than 1 GiB is packed in it")
         if entry.isfile():
             finder.add(entry.name, lambda most, entry=entry: packed.extractfile(entry).read(most))
 
