@@ -1,7 +1,7 @@
 """Checks one exercise: checkpoint after checkpoint, up to the first that is wrong."""
 
 import shutil
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from . import compare, engine as engines, rounds
@@ -62,7 +62,7 @@ def _asker(engine, exercise, folder):
         program, own = engines.build_with(engine, exercise.file, folder), folder
         if isinstance(program, engines.Failure):
             return program
-    return lambda questions: engines.ask(engine, program, exercise.chapter, questions, own)
+    return lambda questions, by=engine: engines.ask(by, program, exercise.chapter, questions, own)
 
 
 def _smaller(question, rays):
@@ -79,14 +79,15 @@ def _smaller(question, rays):
                                          "numbers": numbers}
 
 
-def _find_failure(result, ask, checkpoints, questions, reference):
+def _find_failure(engine, result, ask, checkpoints, questions, reference):
     """At which checkpoint C++ crashes or never ends, and for what it was given."""
+    quick = replace(engine, limits=replace(engine.limits, cpu_seconds=1))
     for checkpoint, question, wanted in zip(checkpoints, questions, reference):
-        if not isinstance(ask([question]), engines.Failure):
+        if not isinstance(ask([question], quick), engines.Failure):
             continue
         result.checkpoint = checkpoint
         for index, step, less in _smaller(question, wanted.rays):
-            if isinstance(ask([less]), engines.Failure):
+            if isinstance(ask([less], quick), engines.Failure):
                 result.wrong = compare.Wrong(index, step, wanted.rays[index], [], asked=wanted.rays)
                 return
         return
@@ -191,7 +192,7 @@ def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
             answers = ask(questions[asked])
             if isinstance(answers, engines.Failure):
                 if not exercise.is_shader:
-                    _find_failure(result, ask, checkpoints, questions, reference)
+                    _find_failure(engine, result, ask, checkpoints, questions, reference)
                 return _failed(result, answers, own)
             _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)
             if result.state != PASSED:

@@ -5,22 +5,27 @@ import json
 from pathlib import Path
 
 from .check import FAILED, MISSING, NOT_STARTED, PASSED
-from .grade import cell
+from .grade import UNKNOWN, UNREADABLE, cell
+from .report import number
 
 MOST_LINES = 20  # of the table on a terminal
-NOT_TRIED = (PASSED, NOT_STARTED, MISSING, "unreadable", "not graded")
+NO_FAULT = (PASSED, NOT_STARTED, MISSING, UNREADABLE, UNKNOWN)
 
 
 def row(grade):
-    remarks = "".join(f"\n  {remark}" for remark in grade.get("remarks", []))
+    remarks = "".join(f"\n  {_printable(remark)}" for remark in grade.get("remarks", []))
     return f"{grade['submission']}: {grade['score']} of {grade['of']}{remarks}"
+
+
+def _difference(value):
+    return f"{value['name']}: expected {number(value['expected'])}, got {number(value['got'])}"
 
 
 def _how(detail):
     """In a few words: the same for those who wrote the same mistake."""
     wrong = next((value for value in detail.get("values", []) if not value["right"]), None)
     if wrong:
-        return f"{wrong['name']}: expected {wrong['expected']}, got {wrong['got']}"
+        return _difference(wrong)
     if detail.get("message"):
         return f"{detail['state']}: {detail['message'].splitlines()[0]}"
     pixels = detail.get("pictures", {}).get("wrong_pixels")
@@ -33,7 +38,7 @@ def faults(grades):
     found = {}
     for grade in grades:
         for detail in grade["details"]:
-            if detail["state"] not in NOT_TRIED:
+            if detail["state"] not in NO_FAULT:
                 checkpoint = detail.get("checkpoint", "")
                 place = (detail["exercise"], detail["title"], checkpoint, _how(detail))
                 found.setdefault(place, []).append(grade["submission"])
@@ -55,7 +60,7 @@ def write_faults(path, rows):
 def faults_text(rows):
     """The most frequent ones, for a terminal."""
     often = sorted(rows, key=lambda one: -one["students"])[:MOST_LINES]
-    lines = [f"{one['students']:>8}  {one['exercise']:<8}  {one['checkpoint'] or '-'}: {_printable(one['how'])}"
+    lines = [f"{one['students']:>8}  {one['exercise']:<8}  {one['checkpoint'] or '-'}: {_printable(one['how'])[:120]}"
              for one in often]
     rest = len(rows) - len(often)
     lines += [f"and {rest} more: --faults writes all of them to a file"] if rest else []
@@ -63,7 +68,7 @@ def faults_text(rows):
 
 
 def _printable(text):
-    return "".join(letter if letter.isprintable() else "?" for letter in text)[:120]
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
 def _told(detail):
@@ -71,8 +76,7 @@ def _told(detail):
     lines = [f"state: {detail['state']}"]
     lines += [f"right: {', '.join(detail['right'])}"] if detail["right"] else []
     lines += [f"{name}: {detail[name]}" for name in ("message", "checkpoint", "step", "outside") if name in detail]
-    lines += [f"{value['name']}: expected {value['expected']}, got {value['got']}"
-              for value in detail.get("values", [])]
+    lines += [_difference(value) for value in detail.get("values", [])]
     lines += [f"replay: {detail['replay']}"] if "replay" in detail else []
     return "\n".join(lines)
 

@@ -20,18 +20,6 @@ RIGHT = solution_of(EXERCISE)
 WRONG = "    return BvhCut{0, 1};"
 SLEEPS = "98765.4321"  # seconds, and how the sleepers are found
 
-INCLUDES = """#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <sstream>
-#include <string>
-#include <thread>
-#include <vector>
-"""
 POSIX = """extern "C" {
 int execv(const char*, char* const*);
 int execlp(const char*, const char*, ...);
@@ -40,8 +28,10 @@ int setsid();
 int kill(int, int);
 int getppid();
 int system(const char*);
+char* getenv(const char*);
 void* dlopen(const char*, int);
 void* dlsym(void*, const char*);
+int usleep(unsigned);
 int socket(int, int, int);
 int connect(int, const void*, unsigned);
 long write(int, const void*, unsigned long);
@@ -49,11 +39,12 @@ long write(int, const void*, unsigned long);
 """
 
 
-def submitted(code, above="", change=lambda text: text):
+def submitted(code, *headers, above="", change=lambda text: text):
     """The file of a submission: the project's with other lines, and what stands above them."""
+    included = "".join(f"#include <{header}>\n" for header in headers)
     text = marks.with_code((ROOT / FILE).read_text(), FILE, {EXERCISE: code.split("\n")})
     first = text.index("namespace raysteps")
-    return change(text[:first] + INCLUDES + POSIX + above + text[first:])
+    return change(text[:first] + included + POSIX + above + text[first:])
 
 
 def once(lines, then=WRONG):
@@ -71,14 +62,12 @@ OVERWRITES_KEPT_ANSWERS = submitted(once(f"""
                     std::ofstream(file->path()) << "{{}}";
                 }}
             }}
-        }}"""))
+        }}"""), "filesystem", "fstream")
 
 RUNS_THE_CHECKER = submitted(once(f"""
         std::ifstream file("/proc/self/cmdline");
-        std::stringstream text;
-        text << file.rdbuf();
         std::vector<std::string> words;
-        for (std::string word; std::getline(text, word, '\\0');) {{
+        for (std::string word; std::getline(file, word, '\\0');) {{
             words.push_back(word);
         }}
         std::vector<char*> arguments;
@@ -86,7 +75,7 @@ RUNS_THE_CHECKER = submitted(once(f"""
             arguments.push_back(word.data());
         }}
         arguments.push_back(nullptr);
-        execv("{BUILD}/scripts/course/answers/course_builders", arguments.data());"""))
+        execv("{BUILD}/scripts/course/answers/course_builders", arguments.data());"""), "fstream", "string", "vector")
 
 LEAVES_SLEEPERS = submitted(once(f"""
         for (int i = 0; i < 10; ++i) {{
@@ -95,7 +84,7 @@ LEAVES_SLEEPERS = submitted(once(f"""
                 execlp("sleep", "sleep", "{SLEEPS}", static_cast<char*>(nullptr));
             }}
         }}
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));"""))
+        usleep(300000);"""))
 
 
 def reads_another(path):
@@ -105,18 +94,18 @@ def reads_another(path):
 # New ones: an accomplice who knows the answer leaves it where the next one may look; the project's own
 # function or source does the work; the grader is killed; what is found is told to someone outside.
 PLACES = ('std::vector<std::string>{"/tmp/left", "/dev/shm/left", "/var/tmp/left", "left", "../left", '
-          'std::string(std::getenv("TMPDIR"))}')
+          'std::string(getenv("TMPDIR"))}')
 LEAVES_THE_ANSWER = submitted(once(f"""
         for (const std::string& place : {PLACES}) {{
             std::ofstream(place) << "right";
             std::ofstream(place + "/left") << "right";
-        }}""", RIGHT))
+        }}""", RIGHT), "fstream", "string", "vector")
 FINDS_THE_ANSWER = submitted(f"""    for (const std::string& place : {PLACES}) {{
         if (std::ifstream(place + "/left") || (place.ends_with("left") && std::ifstream(place))) {{
         {RIGHT}
         }}
     }}
-{WRONG}""")
+{WRONG}""", "fstream", "string", "vector")
 LEAVES_IT_TO_THE_PROJECT = submitted(
     RIGHT, change=lambda text: text.replace("split_median(const", "split_mine(const"))
 COMPILES_THE_PROJECT = submitted(f"""    static const auto theirs = [] {{
@@ -131,8 +120,8 @@ COMPILES_THE_PROJECT = submitted(f"""    static const auto theirs = [] {{
     }}
 {WRONG}""")
 KILLS_WHAT_IT_CAN = submitted(once("""
-        kill(getppid(), SIGKILL);
-        kill(-1, SIGKILL);"""))
+        kill(getppid(), 9);
+        kill(-1, 9);"""))
 
 
 def tells_outside(port, secret):
@@ -145,7 +134,7 @@ def tells_outside(port, secret):
         const int line = socket(2, 1, 0);
         if (connect(line, &there, 16) == 0) {{
             write(line, text.data(), text.size());
-        }}"""))
+        }}"""), "fstream", "string")
 
 
 def digest_of(folder):
@@ -218,7 +207,7 @@ class Inside(CourseTest):
         hidden.write_text("solution")
         (lent / "seen").write_text("seen\n")
         bubblewrap.lend(lent)
-        outcome = self.shell(f"cat {lent}/seen; cat {hidden}; ls {self.folder} {ROOT} {Path.home()} /home /root",
+        outcome = self.shell(f"cat {lent}/seen; cat {hidden}; ls {self.folder} {ROOT} /home /root /var",
                              readable=[lent], hidden=[hidden])
         self.assertEqual(outcome.output.split(), ["seen", f"{self.folder}:", "lent"])
 
