@@ -9,6 +9,7 @@ from .errors import CourseError, MachineError
 from .own import named_as_the_person_knows, overlay, place_of, read_own
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
+PICTURE_WAITS = "a checkpoint before it is wrong"
 RAY_BY_RAY = ("checkpoint", "function")  # what asks each ray, or its eight numbers, by itself
 STATES = {"compile": "does not compile", "crash": "crashed", "time": "stopped", "machine": "failed"}
 
@@ -81,7 +82,7 @@ def _smaller(question, rays):
 
 def _find_failure(engine, result, ask, checkpoints, questions, reference):
     """At which checkpoint C++ crashes or never ends, and for what it was given."""
-    quick = replace(engine, limits=replace(engine.limits, cpu_seconds=1))
+    quick = replace(engine, limits=replace(engine.limits, cpu_seconds=1, seconds=10))
     for checkpoint, question, wanted in zip(checkpoints, questions, reference):
         if not isinstance(ask([question], quick), engines.Failure):
             continue
@@ -203,5 +204,5 @@ def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
         if store is not None and has_picture and (result.state == PASSED or is_shown):
             _compare_pictures(engine, result, own, ask, store)
         elif store is not None and has_picture:
-            result.no_picture = "a checkpoint before it is wrong"
+            result.no_picture = PICTURE_WAITS
     return result

@@ -3,7 +3,7 @@
 import math
 import os
 
-from .check import FAILED, MISSING, NOT_STARTED, PASSED, RAY_BY_RAY
+from .check import FAILED, MISSING, NOT_STARTED, PASSED, PICTURE_WAITS, RAY_BY_RAY
 from .exercises import from_bits, ray_text
 from .view import wrong_ray
 
@@ -159,7 +159,7 @@ def as_text(result):
         lines.append(_line("picture", f"none: {result.no_picture.splitlines()[0]}"))
     if replay(result):
         lines.append(_line("replay", replay(result)))
-    if wrong_ray(result):
+    if wrong_ray(result) or result.no_picture == PICTURE_WAITS:
         lines.append(_line("view", f"./course view {exercise.number}"))
     return "\n".join(lines)
 
