@@ -196,8 +196,8 @@ class Attacks(CourseTest):
 class Inside(CourseTest):
     """What a program sees and may do there."""
 
-    def shell(self, script, processes=16, **places):
-        limits = sandbox.Limits(seconds=20, processes=0, file_bytes=1 << 20)
+    def shell(self, script, processes=16, memory=8 << 30, **places):
+        limits = sandbox.Limits(seconds=20, processes=0, file_bytes=1 << 20, memory_bytes=memory)
         return sandbox.run(bubblewrap.around(["/bin/sh", "-c", script], processes, **places), limits,
                            {"PATH": "/usr/bin:/bin"}, self.folder)
 
@@ -224,6 +224,12 @@ class Inside(CourseTest):
         outcome = self.shell("i=0; while [ $i -lt 100 ]; do head -c 1000000 /dev/zero > /tmp/$i || break; "
                              "i=$((i + 1)); done 2>/dev/null; echo $i")
         self.assertLess(int(outcome.output), 70)
+
+    def test_memory_is_counted_for_all_processes_together(self):
+        holds = "/usr/bin/python3 -c 'import time; held = b\"x\" * (200 << 20); time.sleep(15)'"
+        outcome = self.shell(f"for i in 1 2 3 4 5; do setsid {holds} & done; wait; echo end", memory=700 << 20)
+        self.assertEqual((sandbox.signal_of(outcome.code), outcome.timed_out, outcome.output),
+                         (signal.SIGKILL, False, ""))
 
     def test_processes_are_counted_for_root_too(self):
         outcome = self.shell("for i in $(seq 100); do sleep 1 & done 2>/dev/null; ls /proc | grep -c '^[0-9]'")
