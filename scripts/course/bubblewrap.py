@@ -2,6 +2,7 @@
 compilers and libraries, and of all other files only those that it is lent."""
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -72,6 +73,12 @@ def around(command, processes, readable=(), hidden=(), writable=(), folder="/tmp
                   "--inh-caps=-all", "--bounding-set=-all"]
     words += ["prlimit", f"--nproc={processes}", f"--nofile={MOST_FILES_OPEN}", "--", *command]
     return [str(word) for word in words]
+
+
+def require_start(outcome):
+    """Raises MachineError where a sandbox did not come to its program: that is no fault of what was handed in."""
+    if outcome.code in (1, 126, 127) and re.match(r"(bwrap|setpriv|prlimit): ", outcome.errors):
+        raise MachineError(f"the sandbox did not start ({outcome.errors.strip()[:300]}). Try it again.")
 
 
 def require():

@@ -203,6 +203,7 @@ def ask(engine, program, chapter, questions, overlay=None):
             command, limits = _enclosed(command, limits, readable, lent=[scratch, overlay])
             environment.update(_environment())
         outcome = sandbox.run(command, limits, environment, scratch, MOST_BYTES_OF_ANSWERS)
+        bubblewrap.require_start(outcome)
         if outcome.code != 0 or outcome.timed_out:
             return of_run(outcome, limits, is_cpp)
         return _answers_in(outcome.output, len(questions))
@@ -342,6 +343,7 @@ def build_with(engine, file, overlay):
                                         hidden=[ROOT / file] if command is compile_ else [],
                                         folder=overlay if command is compile_ else engine.build)
         outcome = sandbox.run(command, limits, _environment() if engine.is_enclosed else None, engine.build)
+        bubblewrap.require_start(outcome)
         if outcome.timed_out:
             return Failure("time", "It took too long to compile.")
         if outcome.code != 0:

@@ -270,6 +270,16 @@ class Forbidden(CourseTest):
         self.assertIn("apt-get install bubblewrap", printed)
         self.assertIn("--without-sandbox", printed)
 
+    def test_a_sandbox_that_fails_later_is_no_students_fault(self):
+        breaks = self.folder / "bin" / "bwrap"
+        breaks.parent.mkdir()
+        breaks.write_text(f"#!/bin/sh\n[ -e {self.folder}/tried ] && echo 'bwrap: no namespaces left' >&2 && exit 1\n"
+                          f"touch {self.folder}/tried\n")  # the first one is the probe
+        breaks.chmod(0o755)
+        printed = self.grade(f"{breaks.parent}:{os.environ['PATH']}", expect=3)
+        self.assertIn("alice: 0 of 1", printed)
+        self.assertIn("`not graded`", printed)
+
     def test_where_the_system_forbids_it_grade_says_so_and_goes_on_only_when_asked(self):
         forbids = self.folder / "bin" / "bwrap"
         forbids.parent.mkdir()
