@@ -23,11 +23,11 @@ if ! command -v npm >/dev/null; then
   packages_to_book+=(npm)
 fi
 
-# What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, git, and clang with
-# its runtime, which fuzzes the loader.
+# What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, git, the sandbox in
+# which ./course grade runs, and clang with its runtime, which fuzzes the loader.
 packages_to_test=(
   catch2 librapidcheck-dev
-  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema git
+  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema git bubblewrap
   clang libclang-rt-dev clang-format
 )
 

@@ -8,29 +8,32 @@ import sys
 import time
 from pathlib import Path
 
-from . import check, engine as engines, exercises as catalog, formulas, grade, report, submission
-from . import verify, view as viewer, workbook
-from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError
+from . import bubblewrap, check, class_report, engine as engines, exercises as catalog, formulas, grade
+from . import headers, report, submission, verify, view as viewer, workbook
+from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError, MachineError
 
 WORKBOOK = catalog.ROOT / "workbook"
+FINE = (check.PASSED, check.NOT_STARTED)
 
 
 def _print_json(value):
     print(json.dumps(value, indent=1))
 
 
-def _engine(options):
+def _engine(options, exercises):
+    """What checks these exercises."""
     engine = engines.Engine()
-    engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
+    if options.seconds:
+        engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
     engine.limits.memory_bytes = options.memory << 30
     engine.build_limits.memory_bytes = options.memory << 30
     if options.build:
         engine.build = Path(options.build).resolve()
-        for program in (engine.shaders_program(), engine.builders_program()):
+        for program in engine.programs_for(exercises):
             if not program.exists():
                 raise CourseError(f"{program}: is not there. Build it, or leave out --build.")
         return engine
-    engines.ensure_programs(engine)
+    engines.ensure_programs(engine, engine.programs_for(exercises))
     return engine
 
 
@@ -93,8 +96,7 @@ def _check_once(options, engine):
         _print_json({"results": [report.as_json(result) for result in results]})
     elif len(results) > 1:
         print(report.summary(results))
-    fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
-    return DONE if all(result.state in fine for result in results) else CHECK_FAILED
+    return DONE if all(result.state in FINE for result in results) else CHECK_FAILED
 
 
 def _times(options):
@@ -105,7 +107,7 @@ def _times(options):
 
 def check_some(options):
     workbook.require(options.workbook)
-    engine = _engine(options)
+    engine = _engine(options, catalog.select(catalog.load(), options.which))
     code = _check_once(options, engine)
     while options.watch:
         before = _times(options)
@@ -118,19 +120,22 @@ def check_some(options):
 
 def view(options):
     exercise = catalog.select_one(catalog.load(), options.which)
-    engine = _engine(options)
+    engine = _engine(options, [exercise])
     rays = _given_ray(options)
     if rays:
         return viewer.open_visualizer(engine, viewer.given_ray(exercise, rays[0]),
                                       options.screenshot)
     workbook.require(options.workbook)
-    result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures")
+    for is_shown in (False, True):  # the picture of what is wrong only where no ray can be shown
+        result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures",
+                             is_shown)
+        if result.state in FINE or viewer.wrong_ray(result):
+            break
     print(report.as_text(result), flush=True)
     words = viewer.wrong_ray(result)
     if words is None:
         print(viewer.nothing_to_see(exercise))
-        fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
-        return DONE if result.state in fine else CHECK_FAILED
+        return DONE if result.state in FINE else CHECK_FAILED
     print("What you see is the right walk, by the project's own lines.", flush=True)
     return viewer.open_visualizer(engine, words, options.screenshot)
 
@@ -154,7 +159,7 @@ def show(options):
     if options.json:
         _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
                      "file": str(path), "formulas": exercise.formulas, "source": exercise.source,
-                     "chapter": exercise.chapter,
+                     "chapter": exercise.chapter, "includes": headers.of(exercise),
                      "checkpoints": [checkpoint.name for checkpoint in exercise.checkpoints]})
         return DONE
     print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
@@ -165,6 +170,8 @@ def show(options):
     if code is not None:
         line = f":{_line_of(path, exercise)}"
     print(f"\nfile         {os.path.relpath(path)}{line}")
+    for place, words in enumerate(headers.as_text(exercise)):
+        print(f"{'' if place else 'headers':<12} {words}")
     print(f"lesson       chapters/{exercise.chapter}/README.md")
     print(f"source       {exercise.source}")
     print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
@@ -175,7 +182,7 @@ def show(options):
 
 def _line_of(path, exercise):
     from . import marks
-    return marks.regions(path.read_text(errors="replace"), path)[exercise.number].first
+    return marks.regions(marks.text_of(path), path)[exercise.number].first
 
 
 def reset(options):
@@ -225,12 +232,15 @@ def _grade_submissions(options):
     chosen = catalog.select(catalog.load(), options.only)
     if options.merge:
         return grade.merge(options.merge)
-    engine = _engine(options)
+    if options.one and not Path(options.one).exists():
+        raise CourseError(f"{options.one}: there is no such submission.")
+    if not options.without_sandbox:
+        bubblewrap.require()
+    engine = _engine(options, chosen)
+    engine.is_enclosed = not options.without_sandbox
     paths = [Path(options.one)] if options.one else submission.list_submissions(Path(options.folder))
     grades = []
     for path in paths:
-        if not path.exists():
-            raise CourseError(f"{path}: there is no such submission.")
         grades.append(grade.grade_one(engine, path, chosen))
         if sys.stderr.isatty():
             print(f"{grades[-1]['submission']}: {grades[-1]['score']} of {grades[-1]['of']}",
@@ -244,13 +254,18 @@ def grade_all(options):
                           "--merge.")
     if options.folder and not Path(options.folder).is_dir():
         raise CourseError(f"{options.folder}: there is no such folder.")
+    if options.gradescope and not options.one:
+        raise CourseError("--gradescope: its format is for one submission. Name it with --one.")
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
-        settings = ["--memory", options.memory, "--seconds", options.seconds]
+        settings = ["--memory", options.memory]
+        settings += ["--seconds", options.seconds] if options.seconds else []
         settings += ["--build", Path(options.build).resolve()] if options.build else []
+        more = ["--only", options.only] if options.only else []
+        more += ["--without-sandbox"] if options.without_sandbox else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
-                                 options.only, settings)
+                                 settings, more)
         print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
               f"{options.results}")
         return DONE
@@ -259,14 +274,24 @@ def grade_all(options):
         grade.write_csv(options.csv, grades)
     if options.json:
         grade.write_json(options.json, grades)
+    if options.gradescope:
+        class_report.write_gradescope(options.gradescope, grades[0])
+    faults = class_report.faults(grades)
+    if options.faults:
+        class_report.write_faults(options.faults, faults)
     for one in grades:
-        print(f"{one['submission']}: {one['score']} of {one['of']}")
+        print(class_report.row(one))
+    if len(grades) > 1 and faults:
+        print("\n" + class_report.faults_text(faults))
+    if any(grade.UNKNOWN in one["exercises"].values() for one in grades):
+        raise MachineError(f"some exercises are `{grade.UNKNOWN}`, since this machine could not check them "
+                           "(--json says why). Grade them again.")
     return DONE
 
 
 def verify_all(options):
-    engine = _engine(options)
     chosen = catalog.select(catalog.load(), options.which)
+    engine = _engine(options, chosen)
 
     def say(finding):
         if not options.json and (options.verbose or not finding.is_right):
@@ -294,8 +319,8 @@ def _parser():
                                         "course_builders; else build/default, built as needed")
     parser.add_argument("--memory", type=int, default=8, metavar="GIB",
                         help="what a checked program may reserve, in GiB; 0: all there is (8)")
-    parser.add_argument("--seconds", type=int, default=60, metavar="S",
-                        help="what a checked program may take, of the clock and of processors (60)")
+    parser.add_argument("--seconds", type=int, metavar="S",
+                        help="what a checked program may take, of the clock and of processors (60 and 4)")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name, run, text, **which):
@@ -326,7 +351,7 @@ def _parser():
     command = add("pack", pack, "a zip file of your workbook, to hand in")
     command.add_argument("--student", required=True, metavar="NAME", help="the file is NAME.zip")
     command.add_argument("--out", default=".", help="the folder for it")
-    command = add("grade", grade_all, "grade submissions: folders, .zip and .tar.gz files",
+    command = add("grade", grade_all, "grade submissions: folders, zip and tar files",
                   nargs="?")
     command._actions[-1].dest = "folder"
     command.add_argument("--csv", help="a file for the table")
@@ -336,6 +361,11 @@ def _parser():
     command.add_argument("--jobs-file", help="write a command a submission, and grade nothing")
     command.add_argument("--results", default="results", help="the folder for --jobs-file's results")
     command.add_argument("--merge", nargs="+", metavar="JSON", help="join results of --json")
+    command.add_argument("--faults", metavar="CSV", help="a file for what the class fails, and how")
+    command.add_argument("--gradescope", metavar="JSON", help="with --one: a file as Gradescope reads it, "
+                                                              "results.json")
+    command.add_argument("--without-sandbox", action="store_true",
+                         help="where bubblewrap cannot run: what was handed in may do what you may")
     command = add("verify", verify_all, "the author's check of the exercises", **some)
     command.add_argument("--verbose", action="store_true", help="every trial, not only wrong ones")
     command.add_argument("--workers", type=int, default=min(4, os.cpu_count() or 1))

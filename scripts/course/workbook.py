@@ -36,7 +36,7 @@ def require(folder):
 def code_of(folder, exercise):
     """The person's lines of an exercise; None where they cannot be read."""
     try:
-        text = (folder / exercise.file).read_text(errors="replace")
+        text = marks.text_of(folder / exercise.file)
         return marks.regions(text, exercise.file)[exercise.number].code
     except (OSError, KeyError, CourseError):
         return None
@@ -95,7 +95,7 @@ def reset(folder, exercise):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         return None
-    own = path.read_text(errors="replace")
+    own = marks.text_of(path)
     try:
         others = {number: region.code for number, region in marks.regions(own, path).items()
                   if number != exercise.number}
