@@ -8,7 +8,8 @@ from prover import Bounds, NotProved, TextChanged, is_installed
 
 def main():
     parser = argparse.ArgumentParser(prog="proofs", description="Proves the bounds of docs/numerics.md with gappa.")
-    parser.add_argument("--show", metavar="NAME", choices=sorted(Bounds().proofs), help="print what gappa reads of a proof")
+    parser.add_argument("--show", metavar="NAME", choices=sorted(Bounds().proofs),
+                        help="print what gappa reads of a proof")
     parser.add_argument("--division", metavar="E", type=int, default=1,
                         help="by how many e a division may err (1: it is rounded to nearest)")
     options = parser.parse_args()

@@ -1,7 +1,7 @@
 #: at most 23 e M: hit, beside its triangle
-# P is the mean of the true corners by the shares a, b, c of the sheared ones, in lengths of M: P = (x, z) along an axis and
-# the main one. slope is the direction's component by its longest, and way is t times that longest. The sheared corners
-# weigh to exactly 0.
+# P is the mean of the true corners by the shares a, b, c of the sheared ones, in lengths of M: x along an axis and z
+# along the main one. slope is the direction's component by its longest, and way is t times that longest. The sheared
+# corners weigh to exactly 0.
 
 x = a * x_p + b * x_q + c * x_r;
 z = a * z_p + b * z_q + c * z_r;

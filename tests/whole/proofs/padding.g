@@ -1,6 +1,6 @@
 #: at least 6 e M: what the padding has left
-# Along one axis, from the origin, in lengths of M. The ray ascends. It has come to the plane at t, by the floats; so the
-# triangle's point lies at most so far before the plane.
+# Along one axis, from the origin, in lengths of M. The ray ascends. At t it has come to the plane, as the floats say,
+# so the triangle's point lies at most so far before the plane. The plane where it leaves is the same seen from behind.
 
 std_max_reach = 1;
 padding = {common/structure/padding.cpp padding_for return};

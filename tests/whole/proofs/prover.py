@@ -2,7 +2,8 @@
 
 A proof says in a line `#: at most 6 e M: what` what docs/numerics.md promises, e being 2^-24, and asks gappa for the
 bounds of one or several expressions. In braces stand formulas of the shaders (shader_text.py) and, as the name of
-another proof alone, the bound that gappa found there.
+another proof alone, the bound that gappa found there. Hypotheses in [[ ... or ... ]] are cases: gappa asks for no
+bounds under an `or`, so it is asked about each case by itself.
 """
 
 import re
@@ -24,6 +25,7 @@ SECOND_ORDER = Fraction(1, 2**16)
 
 PROMISE = re.compile(r"^#: at (most|least) (\S+) e (\w+): (.+)$", re.M)
 COMMENT = re.compile(r"#[^\n]*")
+CASES = re.compile(r"\[\[(.*?)\]\]", re.S)
 BRACES = re.compile(r"\{((?:[\w./]+)(?: [\w.]+){0,2})\}")
 QUOTIENT = re.compile(r"^(\w+) rnd= ([^;/]+) / (\w+);", re.M)
 NUMBER = r"(-?\d+(?:b-?\d+)?)(?: \{[^}]*\})?"
@@ -70,6 +72,11 @@ def rounded_up(number):
     return f"{-(-(number * 2**64).numerator // (number * 2**64).denominator)}b-64"
 
 
+def cases_of(text):
+    found = CASES.search(text)
+    return [CASES.sub(lambda _: case, text) for case in re.split(r"\bor\b", found[1])] if found else [text]
+
+
 def with_rough_quotients(text, error):
     """Quotients are not rounded: each is a number of its own, and wrong by up to `error` e."""
     known = "".join(f"|{name} -/ ({name}_above / {below})| <= {error}b-24 /\\\n"
@@ -106,11 +113,14 @@ class Bounds(dict):
         return with_rough_quotients(text, self.division) if self.division != 1 else text
 
     def __missing__(self, name):
-        run = subprocess.run(["gappa"], input=self.text(name), capture_output=True, text=True, timeout=60, check=False)
-        said = run.stdout + run.stderr
-        ends = [(exact(low), exact(high)) for low, high in RESULT.findall(said)]
-        if run.returncode != 0 or not ends or FAULT.search(said):
-            raise NotProved(f"{name}.g: gappa finds no proof:\n{said.rstrip()}")
+        ends = []
+        for text in cases_of(self.text(name)):
+            run = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=60, check=False)
+            said = run.stdout + run.stderr
+            found = RESULT.findall(said)
+            if run.returncode != 0 or not found or FAULT.search(said):
+                raise NotProved(f"{name}.g: gappa finds no proof:\n{said.rstrip()}")
+            ends += [(exact(low), exact(high)) for low, high in found]
         least = self.proofs[name].kind == "least"
         self[name] = (min(low for low, _ in ends) if least else max(max(-low, high) for low, high in ends)) / E
         return self[name]

@@ -76,7 +76,8 @@ def tokens_of(text, where):
         match = TOKEN.match(text, place)
         comma = re.compile(r"\s*,").match(text, place)
         if not match and not comma:
-            raise TextChanged(f"{where} is no longer of sums, products and quotients: {text[place:]!r}. Mend the proof.")
+            raise TextChanged(f"{where} is no longer of sums, products and quotients: {text[place:]!r}. "
+                              "Mend the proof.")
         tokens.append((match.lastgroup, match.group(match.lastgroup)) if match else ("comma", ","))
         place = (match or comma).end()
     return tokens
@@ -99,11 +100,10 @@ class Translator:
     def call(self, function, arguments):
         if function in SAME:
             return f"({self.all(arguments[0])})"
-        if function == "abs":
-            return f"|{self.all(arguments[0])}|"
         # Any other call is a number of which the proof says what is known of it.
         first = [arguments[0][0][1]] if len(arguments[0]) == 1 else []
-        return (first and self.name(function, *first)) or self.name(function)
+        named = (first and self.name(function, *first)) or self.name(function)
+        return f"|{self.all(arguments[0])}|" if function == "abs" and not named else named
 
     def all(self, tokens):
         result, place = [], 0

@@ -1,6 +1,6 @@
 #: at most 6 e M: sheared corner, x and y
-# True floats, so an underflow is in it. Lengths are scaled by a power of two until M is in [1, 2], the direction
-# until its components lie at 1 or below: both leave every rounding as it is.
+# True floats, so an underflow of the shear is in it. Lengths are scaled by a power of two until M is in [1, 2], which
+# leaves every rounding as it is.
 
 @rnd = float<ieee_32, ne>;
 corner_x = rnd(any_corner_x);

@@ -27,6 +27,11 @@ CHANGES = {
     "a share left out": ("shaders/triangle/watertight/shear.glsl", "share * p.z + u * q.z", "u * q.z", "distance"),
     "an area twice": ("shaders/triangle/watertight/shear.glsl", "areas.x + areas.y + areas.z",
                       "areas.x + areas.y + areas.x", "share"),
+    "a missing part left out": ("shaders/triangle/watertight/exact_area.glsl", "- missing_part(second, ay, bx)", "",
+                                "area_near"),
+    "what is missing from one product, twice": ("shaders/triangle/watertight/exact_area.glsl",
+                                                "missing_part(second, ay, bx)", "missing_part(first, ay, bx)",
+                                                "area_apart"),
     "a plane of a grid multiplied out": ("shaders/structure/grid/grid_cells.glsl",
                                          "(plane_of_grid(axis, plane) - ray.origin[axis]) / ray.direction[axis]",
                                          "plane_of_grid(axis, plane) / ray.direction[axis] - "
@@ -44,6 +49,9 @@ CHANGES = {
     "another function": ("shaders/structure/kd_tree/kd_descent.glsl", "real t = (plane - ray.origin[axis])",
                          "real t = floor(plane - ray.origin[axis])", "plane"),
 }
+
+
+BOUNDS = Bounds()  # each is found once
 
 
 class Single:
@@ -79,23 +87,21 @@ class ProofsTest(unittest.TestCase):
         self.tree = Path(folder.name)
 
     def test_every_bound_is_as_promised(self):
-        bounds = Bounds()
-        self.assertGreater(len(bounds.proofs), 10)
-        for name in bounds.proofs:
+        self.assertGreater(len(BOUNDS.proofs), 12)
+        for name in BOUNDS.proofs:
             with self.subTest(name):
-                bounds.check(name)
+                BOUNDS.check(name)
 
     def test_the_page_says_what_gappa_finds(self):
-        bounds = Bounds()
         rows = {name: (promise, found)
                 for promise, found, name in ROW.findall((ROOT / "docs/numerics.md").read_text())}
-        self.assertEqual(rows, {name: (f"at {proof.kind} {float(proof.promise):g}", f"{float(bounds[name]):.2f}")
-                                for name, proof in bounds.proofs.items()})
+        self.assertEqual(rows, {name: (f"at {proof.kind} {float(proof.promise):g}", f"{float(BOUNDS[name]):.2f}")
+                                for name, proof in BOUNDS.proofs.items()})
 
     def test_a_rough_division_costs_12_roundings(self):
         rough = Bounds(division=5)
         self.assertGreater(rough["hit"], 34)
-        self.assertLess(rough["hit"], Fraction(351, 10))
+        self.assertLess(rough["hit"], Fraction(352, 10))
 
     def test_a_changed_formula_is_not_proved(self):
         for folder in ("shaders", "common/structure"):
@@ -106,8 +112,10 @@ class ProofsTest(unittest.TestCase):
                 text = path.read_text()
                 self.assertIn(old, text)
                 path.write_text(text.replace(old, new, 1))
+                bounds = Bounds(self.tree)
+                bounds.update((name, BOUNDS[name]) for name in BOUNDS.proofs if name != proof)
                 with self.assertRaises((NotProved, TextChanged)):
-                    Bounds(self.tree).check(proof)
+                    bounds.check(proof)
                 path.write_text(text)
 
     def test_an_unproved_formula_says_where_it_stands(self):
