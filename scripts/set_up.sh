@@ -24,11 +24,12 @@ if ! command -v npm >/dev/null; then
 fi
 
 # What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, git, the sandbox in
-# which ./course grade runs, and clang with its runtime, which fuzzes the loader.
+# which ./course grade runs, clang with its runtime, which fuzzes the loader, and gappa, which proves the bounds of
+# docs/numerics.md.
 packages_to_test=(
   catch2 librapidcheck-dev
   xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema git bubblewrap
-  clang libclang-rt-dev clang-format
+  clang libclang-rt-dev clang-format gappa
 )
 
 # The browser that reads the book. Ubuntu has none among its packages: there these tests are skipped.
