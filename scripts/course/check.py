@@ -4,9 +4,10 @@ import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from . import compare, engine as engines
+from . import compare, engine as engines, experiment, marks
 from .errors import CourseError, MachineError
 from .own import named_as_the_person_knows, overlay, read_own
+from .witness import complaint
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
 RAY_BY_RAY = ("checkpoint", "function")  # what asks each ray, or its eight numbers, by itself
@@ -54,7 +55,7 @@ def _program(engine, exercise):
     return engine.shaders_program() if exercise.is_shader else engine.builders_program()
 
 
-def _ask_own(engine, exercise, folder, questions):
+def ask_own(engine, exercise, folder, questions):
     if exercise.is_shader:
         return engines.ask(engine, _program(engine, exercise), exercise.chapter, questions,
                            folder / "shaders")
@@ -92,7 +93,7 @@ def _compare_pictures(engine, result, own, folder, store):
     reference = engines.reference_picture(engine, exercise.chapter, checkpoint.question)
     store.mkdir(parents=True, exist_ok=True)
     yours = store / f"exercise_{exercise.number.replace('.', '_')}"
-    made = _ask_own(engine, exercise, folder, [{**checkpoint.question, "picture": str(yours)}])
+    made = ask_own(engine, exercise, folder, [{**checkpoint.question, "picture": str(yours)}])
     if isinstance(made, engines.Failure):
         if result.state == PASSED:
             _failed(result, made, own)
@@ -127,20 +128,42 @@ def check(engine, exercise, folder, rays=None, store=None):
     except CourseError as error:
         result.state, result.message = FAILED, str(error)
         return result
-    if own.is_stub:
+    tries_a_ray = exercise.plants and rays is not None  # of the mistake that is hunted
+    if own.is_stub and not tries_a_ray:
         result.state = NOT_STARTED
         return result
+    if exercise.plants and rays is None:
+        return _judge_hunt(engine, exercise, own, folder)
     return judge(engine, exercise, own, rays, store)
+
+
+def _judge_hunt(engine, exercise, own, folder):
+    """The witness, then the part. Where the part is wrong is what the person is to find: a check says
+    no ray and no picture."""
+    code = marks.regions((Path(folder) / exercise.file).read_text(errors="replace"),
+                         exercise.file)[exercise.number].code
+    wrong = complaint(engine, exercise, code, ask_own)
+    if wrong:
+        return Result(exercise, FAILED, wrong)
+    result = judge(engine, exercise, own)
+    if result.wrong:
+        result.message = f"The witness is right; the part is wrong still, at {result.checkpoint.name}."
+        result.checkpoint = result.wrong = None
+    return result
 
 
 def judge(engine, exercise, own, rays=None, store=None):
     """The result for a file that is ready for the compiler, be it a stub or not."""
+    if exercise.experiment:
+        code = marks.regions(own.composed.text, exercise.file)[exercise.number].code
+        wrong = experiment.complaint(engine, exercise, code)
+        return Result(exercise, FAILED if wrong else PASSED, wrong)
     result = Result(exercise, PASSED)
     checkpoints, questions = _asked(exercise, rays)
     reference = engines.ask_reference(engine, _program(engine, exercise), exercise.chapter, questions)
     with overlay(exercise, own) as folder:
         for asked in _rounds(engine, exercise, len(questions)):
-            answers = _ask_own(engine, exercise, folder, questions[asked])
+            answers = ask_own(engine, exercise, folder, questions[asked])
             if isinstance(answers, engines.Failure):
                 return _failed(result, answers, own)
             _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)

@@ -1,4 +1,4 @@
-#include "visualizer/json_files.h"
+#include "visualizer/walk_file.h"
 
 #include "basics/error.h"
 #include "catch.h"
@@ -42,7 +42,7 @@ TEST_CASE("a written walk has the model and each step with its sentence and box"
             const nlohmann::json& step = file["steps"][i];
             CHECK(step["sentence"] == sentence_of(stage.panes().front()->cells, walk, i));
             CHECK(step["box"].is_null() == (walk.steps[i].cell == no_cell));
-            tests += step["tested"].size() + step["hit"].size();
+            tests += step["tested"].size();
         }
         CHECK(tests == walk.tests.size());
         CHECK(file["ending"] == ending_of(walk));
@@ -83,7 +83,8 @@ TEST_CASE("a written ray that hits ends at its hit", "[visualizer][walk_file]") 
     const glm::vec3 end = walk.ray.origin + walk.hit.t * walk.ray.direction;
     for (int axis = 0; axis < 3; ++axis) {
         // Six digits are written: half a unit of the sixth, of numbers under 1000, is 5e-4 at most.
-        CHECK_THAT(file["ray"][1][axis].get<double>(), Catch::Matchers::WithinAbs(end[axis], 5e-4));
+        CHECK_THAT(file["line"][1][axis].get<double>(),
+                   Catch::Matchers::WithinAbs(end[axis], 5e-4));
     }
 }
 

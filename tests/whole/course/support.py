@@ -1,5 +1,6 @@
 """What the tests of the coursework share."""
 
+import functools
 import os
 import subprocess
 import sys
@@ -14,10 +15,17 @@ sys.path.insert(0, str(ROOT / "scripts"))
 COURSE = os.environ.get("RAYSTEPS_COURSE", f"{sys.executable};{ROOT}/course").split(";")
 
 
+@functools.lru_cache(maxsize=None)
+def _all_exercises():
+    from course import exercises
+
+    return exercises.load()
+
+
 def exercise_of(number):
     from course import exercises
 
-    return exercises.select_one(exercises.load(), number)
+    return exercises.select_one(_all_exercises(), number)
 
 
 def solution_of(number):
