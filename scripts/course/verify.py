@@ -2,13 +2,13 @@
 
 import re
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from . import hunt, marks
 from .check import FAILED, PASSED, STATES, ask_own, judge
 from .exercises import ROOT, load
 from .own import Own
-from .witness import complaint, with_code
+from .witness import complaint, with_code, witness_in
 
 REJECTED = (FAILED, STATES["time"])  # a loop that never ends is caught by its time
 
@@ -86,9 +86,12 @@ def _hunt(engine, exercise, seed):
         return Finding(exercise.number, "hunt", plant["name"], False,
                        f"`{plant['find']}` does not stand in the part")
     code = [f"{line} {plant['witness']}" if line.endswith("// witness:") else line for line in stub]
-    trial = _try(engine, exercise, "hunt", plant["name"], code, REJECTED)
     wrong = complaint(engine, exercise, code, ask_own)
-    return replace(trial, is_right=trial.is_right and not wrong, detail=wrong or trial.detail)
+    if wrong:
+        return Finding(exercise.number, "hunt", plant["name"], False, wrong)
+    if witness_in(engine, exercise, code)[0] in exercise.checkpoints[0].question["rays"]:
+        return Finding(exercise.number, "hunt", plant["name"], True, "failed at its witness")
+    return _try(engine, exercise, "hunt", plant["name"], code, REJECTED)
 
 
 def _trials(engine, exercise, store):

@@ -14,7 +14,7 @@ WITNESS = re.compile(r"^\s*// witness:\s*(?P<pixel>pixel\s+)?(?P<numbers>[-+.\w,
                      r"(?:,?\s*\bstep\s+(?P<step>\d+))?\s*$")
 
 
-def _witness_in(engine, exercise, code):
+def witness_in(engine, exercise, code):
     """The ray as bits, and the step. Raises CourseError where the line says neither."""
     found = next((match for match in map(WITNESS.match, code) if match), None)
     if found is None:
@@ -51,7 +51,7 @@ def complaint(engine, exercise, code, ask_own):
     if seed is None:
         return "the line `// seed ...` is gone. Put it back, or let ./course reset do it."
     try:
-        ray, step = _witness_in(engine, exercise, code)
+        ray, step = witness_in(engine, exercise, code)
     except CourseError as error:
         return str(error)
     checkpoint = exercise.checkpoints[0]

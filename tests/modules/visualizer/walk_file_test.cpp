@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
+#include "visualizer/read_told_walk.h"
 #include "visualizer/replay/sentence.h"
 
 #include <nlohmann/json.hpp>
@@ -103,4 +104,38 @@ TEST_CASE("a walk that cannot be written is an error", "[visualizer][walk_file]"
     Stage stage;
     stage.show(state);
     CHECK_THROWS_AS(write_walk("/dev/null", stage, state), InputError);
+}
+
+TEST_CASE("a written walk that is read is shown beside ours and never parts from it",
+          "[visualizer][walk_file]") {
+    const ScratchFolder folder("visualizer_walk_file_read");
+    for (const std::string structure : {"every_triangle", "grid", "kd_ropes", "bvh_skip", "bvh4"}) {
+        CAPTURE(structure);
+        State state = mirrors_state(structure);
+        Stage stage;
+        stage.show(state);
+        const RecordedWalk walk = *walk_in(*stage.panes().front(), state);
+        write_walk(folder / "walk.json", stage, state);
+        state.pixel.reset();
+        state.steps = folder / "walk.json";
+        stage.show(state);
+        REQUIRE(stage.panes().size() == 2);
+        const RecordedWalk& told = *walk_in(*stage.panes().front(), state);
+        CHECK(told.told_by == structure);
+        CHECK(told.ray.direction == walk.ray.direction);
+        CHECK(told.steps.size() == walk.steps.size());
+        CHECK(told.hit.t == walk.hit.t);
+        CHECK(!parting_of(stage, state));
+        state.steps.clear();
+        stage.show(state);
+        CHECK(stage.panes().size() == 1);
+    }
+}
+
+TEST_CASE("a file that is no walk is refused by its name", "[visualizer][walk_file]") {
+    const ScratchFolder folder("visualizer_walk_file_none_read");
+    std::ofstream(folder / "walk.json") << R"({"schema": "walk.schema.json", "schema_version": 2})";
+    CHECK_THROWS_WITH(read_told_walk(folder / "walk.json"),
+                      contains_text("walk.json: is no file of recorded steps"));
+    CHECK_THROWS_AS(read_told_walk(folder / "nothing.json"), InputError);
 }

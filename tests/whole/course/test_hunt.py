@@ -72,7 +72,7 @@ class Hunt(CourseTest):
     def test_a_ray_of_ones_own_is_tried(self):
         self.write("", hunt.planted(self.exercise, 1)[2:])
         printed = self.course("check", "3.6", "--ray=278,273,-800,0,-0.3,1", expect=1)
-        self.assertIn("blocked     expected no, got yes  <-- wrong", printed)
+        self.assertIn("by          expected 18, got 0  <-- wrong", printed)
 
 
 if __name__ == "__main__":
