@@ -4,6 +4,7 @@
 #include "basics/text.h"
 #include "hard_cases/hard_cases.h"
 #include "json_files.h"
+#include "read_told_walk.h"
 #include "scene/camera_text.h"
 #include "state_fields.h"
 #include "structure/structure.h"
@@ -254,6 +255,11 @@ void refuse_contradictions(const Given& given) {
         throw InputError("--hard-case " + given.at("--hard-case") + " and the scene " +
                          given.at("SCENE") + " both say what to show. Leave one out.");
     }
+    for (const std::string other : {"--pixel", "--ray", "--hard-case"}) {
+        if (given.contains("--steps") && given.contains(other)) {
+            throw InputError("--steps and " + other + " both name the ray. Leave one out.");
+        }
+    }
     if (given.contains("--pixel") && given.contains("--ray")) {
         throw InputError("--pixel and --ray both name the ray. Leave one out.");
     }
@@ -310,6 +316,22 @@ State with_options(State state, const Given& given) {
     return state;
 }
 
+// What the file says of its walk, and the command line does not.
+void take_told_walk(State& state, const Given& given) {
+    const ToldWalk told = read_told_walk(state.steps);
+    state.pixel.reset();
+    state.ray.reset();
+    if (!given.contains("SCENE") && !told.scene.empty()) {
+        state.scene = told.scene;
+    }
+    if (!given.contains("--structure") && !given.contains("--walk") && is_walk_of_ours(told)) {
+        state.structures = {told.structure};
+    }
+    if (!given.contains("--show")) {
+        state.filter = CellFilter::visited;
+    }
+}
+
 void take_step(Request& request, const std::string& text) {
     if (text == "parting") {
         request.to_parting = true;
@@ -345,10 +367,15 @@ Request read_request(int argc, char** argv) {
         request.state.build_values = std::move(values);
     }
     request.state = with_options(std::move(request.state), given);
+    if (given.contains("--steps")) {
+        take_told_walk(request.state, given);
+        request.to_parting = !given.contains("--step");
+    }
     if (given.contains("--step")) {
         take_step(request, given["--step"]);
     }
-    if (request.to_parting && request.state.structures.size() < 2) {
+    const std::size_t told = request.state.steps.empty() ? 0 : 1;
+    if (request.to_parting && request.state.structures.size() + told < 2) {
         throw InputError("--step parting: it takes two walks to part. Name two structures, as in "
                          "--structure bvh_ordered,bvh_skip.");
     }

@@ -4,9 +4,10 @@ import shutil
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from . import compare, engine as engines, rounds
+from . import compare, engine as engines, experiment, marks, rounds
 from .errors import CourseError, MachineError
 from .own import named_as_the_person_knows, overlay, place_of, read_own
+from .witness import complaint
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
 PICTURE_WAITS = "a checkpoint before it is wrong"
@@ -64,6 +65,11 @@ def _asker(engine, exercise, folder):
         if isinstance(program, engines.Failure):
             return program
     return lambda questions, by=engine: engines.ask(by, program, exercise.chapter, questions, own)
+
+
+def ask_own(engine, exercise, folder, questions):
+    ask = _asker(engine, exercise, folder)
+    return ask if isinstance(ask, engines.Failure) else ask(questions)
 
 
 def _smaller(question, rays):
@@ -174,14 +180,36 @@ def check(engine, exercise, folder, rays=None, store=None, is_shown=False):
     except CourseError as error:
         result.state, result.message = FAILED, str(error)
         return result
-    if own.is_stub:
+    tries_a_ray = exercise.plants and rays is not None  # of the mistake that is hunted
+    if own.is_stub and not tries_a_ray:
         result.state = NOT_STARTED
         return result
+    if exercise.plants and rays is None:
+        return _judge_hunt(engine, exercise, own, folder)
     return judge(engine, exercise, own, rays, store, is_shown)
+
+
+def _judge_hunt(engine, exercise, own, folder):
+    """The witness, then the part. Where the part is wrong is what the person is to find: a check says
+    no ray and no picture."""
+    code = marks.regions((Path(folder) / exercise.file).read_text(errors="replace"),
+                         exercise.file)[exercise.number].code
+    wrong = complaint(engine, exercise, code, ask_own)
+    if wrong:
+        return Result(exercise, FAILED, wrong, outside=own.outside)
+    result = judge(engine, exercise, own)
+    if result.wrong:
+        result.message = f"The witness is right; the part is wrong still, at {result.checkpoint.name}."
+        result.checkpoint = result.wrong = None
+    return result
 
 
 def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
     """The result for a file that is ready for the compiler, be it a stub or not."""
+    if exercise.experiment:
+        code = marks.regions(own.composed.text, exercise.file)[exercise.number].code
+        wrong = experiment.complaint(engine, exercise, code)
+        return Result(exercise, FAILED if wrong else PASSED, wrong)
     result = Result(exercise, PASSED, outside=own.outside)
     checkpoints, questions = _asked(exercise, rays)
     reference = engines.ask_reference(engine, _program(engine, exercise), exercise.chapter, questions)

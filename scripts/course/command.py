@@ -4,6 +4,7 @@ import argparse
 import difflib
 import json
 import os
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 from . import bubblewrap, check, class_report, engine as engines, exercises as catalog, formulas, grade
 from . import headers, report, submission, verify, view as viewer, workbook
 from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError, MachineError
+from .own import overlay, read_own
 
 WORKBOOK = catalog.ROOT / "workbook"
 FINE = (check.PASSED, check.NOT_STARTED)
@@ -38,7 +40,8 @@ def _engine(options, exercises):
 
 
 def start(options):
-    made = workbook.start(options.workbook, catalog.load())
+    seed = workbook.new_seed() if options.seed is None else options.seed
+    made = workbook.start(options.workbook, catalog.load(), seed)
     if options.json:
         _print_json({"made": made})
         return DONE
@@ -123,8 +126,11 @@ def view(options):
     engine = _engine(options, [exercise])
     rays = _given_ray(options)
     if rays:
-        return viewer.open_visualizer(engine, viewer.given_ray(exercise, rays[0]),
-                                      options.screenshot)
+        words = viewer.given_ray(exercise, rays[0])
+        both = viewer.both_walks(engine, exercise, viewer.checkpoint_of_rays(exercise), rays[0],
+                                 options.workbook)
+        print(_what_is_seen(both), flush=True)
+        return viewer.open_visualizer(engine, both or words, options.screenshot)
     workbook.require(options.workbook)
     for is_shown in (False, True):  # the picture of what is wrong only where no ray can be shown
         result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures",
@@ -136,8 +142,35 @@ def view(options):
     if words is None:
         print(viewer.nothing_to_see(exercise))
         return DONE if result.state in FINE else CHECK_FAILED
-    print("What you see is the right walk, by the project's own lines.", flush=True)
-    return viewer.open_visualizer(engine, words, options.screenshot)
+    both = viewer.both_wrong_walks(engine, result, options.workbook)
+    print(_what_is_seen(both), flush=True)
+    return viewer.open_visualizer(engine, both or words, options.screenshot)
+
+
+def _what_is_seen(both):
+    if both is None:
+        return ("What you see is the right walk, by the project's own lines. No other walk of yours "
+                "was found.")
+    return ("First stands your walk, as your lines made it round by round; then the right one. It opens "
+            "where they part, and the key D jumps there.")
+
+
+def run_program(options):
+    """A program of the project with the person's lines of one exercise, and the project's own for all
+    others."""
+    exercise = catalog.select_one(catalog.load(), options.which)
+    workbook.require(options.workbook)
+    if not exercise.is_shader:
+        raise CourseError(f"{exercise.number} is in C++, and a program would have to be built with it. "
+                          f"`./course check {exercise.number} --ray=...` tries numbers of yours.")
+    build = Path(options.build or engines.BUILD) / "chapters"
+    programs = sorted(build.glob(f"{options.program}*/{options.program}*"))
+    program = next((path for path in programs if path.name == path.parent.name), None)
+    if program is None:
+        raise CourseError(f"{options.program}: is not built. `./run.sh {options.program} --help` builds it.")
+    with overlay(exercise, read_own(exercise, options.workbook)) as folder:
+        environment = {**os.environ, "RAYSTEPS_SHADERS": str(folder / "shaders")}
+        return subprocess.run([program, *options.arguments], env=environment, check=False).returncode
 
 
 def hint(options):
@@ -174,7 +207,8 @@ def show(options):
         print(f"{'' if place else 'headers':<12} {words}")
     print(f"lesson       chapters/{exercise.chapter}/README.md")
     print(f"source       {exercise.source}")
-    print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
+    if exercise.checkpoints:
+        print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
     print(f"check        ./course check {exercise.number}")
     print(f"hint         ./course hint {exercise.number}")
     return DONE
@@ -328,13 +362,14 @@ def _parser():
         command.set_defaults(run=run)
         if which:
             command.add_argument("which", **which)
-        if name not in ("grade", "view"):
+        if name not in ("grade", "view", "run"):
             command.add_argument("--json", action="store_true", help="print JSON")
         return command
 
     some = {"nargs": "?", "metavar": "CHAPTER|EXERCISE", "help": "as 04 or 4.2; else all"}
     one = {"metavar": "EXERCISE", "help": "as 4.2"}
-    add("start", start, "make the workbook; what is there stays")
+    command = add("start", start, "make the workbook; what is there stays")
+    command.add_argument("--seed", type=int, help="chooses what is to be hunted; else by chance")
     add("list", list_all, "the exercises, and how far you are", **some)
     command = add("check", check_some, "check exercises", **some)
     command.add_argument("--watch", action="store_true", help="check again at each change")
@@ -342,6 +377,9 @@ def _parser():
     command = add("view", view, "the visualizer at the first wrong ray of an exercise", **one)
     command.add_argument("--ray", help="this ray instead: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
     command.add_argument("--screenshot", metavar="FILE", help="a picture instead of a window")
+    command = add("run", run_program, "a program with your lines of one exercise", **one)
+    command.add_argument("program", metavar="PROGRAM", help="as 03 or hard_cases")
+    command.add_argument("arguments", nargs=argparse.REMAINDER, help="its own options")
     command = add("hint", hint, "a hint, in three levels", **one)
     command.add_argument("--level", type=int, choices=(1, 2, 3), default=1)
     add("show", show, "task, file, formulas and source of an exercise", **one)

@@ -20,7 +20,7 @@ FARTHEST = struct.unpack("<f", b"\xff\xff\x7f\x7f")[0]  # t_max of a ray without
 USUAL_TOLERANCE = 2.0**-16
 
 # A checkpoint's fields that go to the program as they are.
-PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "options", "seed", "steps",
+PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "observer", "options", "seed", "steps",
              "width", "height", "numbers", "points", "counts", "zeros", "random_rays")
 
 
@@ -48,12 +48,22 @@ class Exercise:
     hints: list
     checkpoints: list
     mutations: list
+    styles: list = field(default_factory=list)  # right answers of another form: {name, code}
+    plants: list = field(default_factory=list)  # of a hunt: mistakes, of which a seed chooses one
+    minutes: int = 20  # that it takes
+    experiment: dict = field(default_factory=dict)  # {arguments, figure, tolerance}: what is measured
+    replaces: str = ""  # the shader that the file stands for in a check, where that is another
     answers: list = field(default_factory=list)  # of answers.toml: as students write them
     region: marks.Region = field(repr=False, default=None)
 
     @property
     def is_shader(self):
-        return self.file.startswith("shaders/")
+        return self.file.endswith((".glsl", ".frag", ".vert"))
+
+    @property
+    def place(self):
+        """Where the person's file lies when it is compiled."""
+        return self.replaces or self.file
 
 
 def bits(number):
@@ -81,6 +91,8 @@ def ray_bits(ray):
 
 def _checkpoint(table, place):
     question = {key: table[key] for key in PASSED_ON if key in table}
+    if question.get("scene", "").endswith(".obj"):
+        question["scene"] = str(ROOT / question["scene"])
     question["rays"] = [ray_bits(ray) for ray in table.get("rays", [])]
     known = table.get("known", [])
     rays = [ray_bits(entry["ray"]) for entry in known if "ray" in entry]
@@ -100,10 +112,12 @@ def _checkpoint(table, place):
 
 
 def _exercise(table, chapter, place):
-    checkpoints = [_checkpoint(entry, place) for entry in table["checkpoint"]]
+    checkpoints = [_checkpoint(entry, place) for entry in table.get("checkpoint", [])]
     return Exercise(table["number"], table["title"], table["file"], chapter, table["task"].strip(),
                     table.get("formulas", []), table.get("source", ""), table["hints"],
-                    checkpoints, table.get("mutation", []))
+                    checkpoints, table.get("mutation", []), table.get("style", []),
+                    table.get("plant", []), table.get("minutes", 20), table.get("experiment", {}),
+                    table.get("replaces", ""))
 
 
 def _answers(path, place):

@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import marks, rounds
+from . import hunt, marks, rounds
 from .errors import CourseError
 from .exercises import ROOT
 
@@ -47,7 +47,7 @@ def read_own(exercise, folder, chosen=None):
     composed = marks.compose(reference, own, exercise.file, name, chosen or {exercise.number})
     code = marks.regions(own, name)[exercise.number].code
     _refuse_foreign_includes(exercise, own, reference, name)
-    return Own(composed, marks.is_same(code, exercise.region.stub), name,
+    return Own(composed, marks.is_same(code, hunt.stub_of(exercise, code)), name,
                marks.changed_outside(reference, own, name))
 
 
@@ -72,7 +72,7 @@ def place_of(line, exercise, own):
 
 def named_as_the_person_knows(message, exercise, own):
     """`triangle/pluecker.glsl:12:` becomes the line of the person's file."""
-    short = exercise.file.removeprefix("shaders/")
+    short = exercise.place.removeprefix("shaders/")
 
     def name(match):
         line = int(match[1])
@@ -88,7 +88,7 @@ def named_as_the_person_knows(message, exercise, own):
 @contextlib.contextmanager
 def overlay(exercise, own, counts_rounds=False):
     with tempfile.TemporaryDirectory(prefix="raysteps_overlay_") as name:
-        path = Path(name) / exercise.file
+        path = Path(name) / exercise.place
         path.parent.mkdir(parents=True)
         if counts_rounds:
             rounds.write_counted(own.composed.text, path, Path(name) / "shaders")

@@ -4,7 +4,9 @@
 #include "basics/statistics.h"
 #include "measure/contest.h"
 #include "measure/cosine_direction.h"
+#include "render/effects/plan.h"
 #include "render/rays.h"
+#include "scene/scene.h"
 
 #include <glm/geometric.hpp>
 
@@ -125,6 +127,81 @@ Found listed_ray(const CourseQuestion& question, const Ray& ray) {
             static_cast<std::uint32_t>(texel / columns), 0, 0};
 }
 
+// What a contest of so many contenders and rounds calls, one after the other: the contender, from
+// 1, and 1 to prepare it, 2 to run it. Behind it, how many rounds the contender of that number has
+// kept.
+std::vector<Found> calls_of_contest(const CourseQuestion& question, const Ray& ray) {
+    const int count = std::clamp(static_cast<int>(ray.origin.x), 1, 4);
+    const int rounds = std::clamp(static_cast<int>(ray.origin.y), 1, 5);
+    std::vector<Found> calls;
+    std::vector<Contender> contenders;
+    for (int i = 1; i <= count; ++i) {
+        const auto call = [&calls, i](std::uint32_t kind) {
+            calls.push_back({static_cast<std::uint32_t>(i), kind, 0, 0});
+        };
+        contenders.push_back({std::to_string(i), [call] { call(2); }, [call] { call(1); }});
+    }
+    const std::vector<ContestTimes> times = run_contest(contenders, rounds);
+    calls.resize(static_cast<std::size_t>(question.steps));
+    for (std::size_t i = 0; i < std::min(calls.size(), times.size()); ++i) {
+        calls[i][2] = static_cast<std::uint32_t>(times[i].rounds.size());
+    }
+    return calls;
+}
+
+// A wall, a lamp and perhaps a ball of glass, as the numbers say: which effects they call for, in
+// the order of list_effects.
+std::vector<Found> effects_of_scene(const CourseQuestion& question, const Ray& ray) {
+    const auto choice = [](float number) { return std::clamp(static_cast<int>(number), 0, 3); };
+    const auto triangle_at = [](float z) {
+        return std::array<glm::vec3, 3>{glm::vec3(-1, -1, z), glm::vec3(1, -1, z),
+                                        glm::vec3(0, 1, z)};
+    };
+    Scene scene;
+    const auto add = [&](float z, int material) {
+        for (const glm::vec3& corner : triangle_at(z)) {
+            scene.corners.push_back(corner);
+            scene.normals.emplace_back(0.0f, 0.0f, 1.0f);
+            scene.texture_coordinates.emplace_back(0.0f);
+        }
+        scene.triangle_materials.push_back(material);
+    };
+    Material wall;
+    wall.diffuse = glm::vec3(choice(ray.origin.y) > 0 ? 0.8f : 0.0f);
+    Material shiny = wall;
+    shiny.specular = glm::vec3(choice(ray.origin.z) > 0 ? 0.5f : 0.0f);
+    shiny.shininess = 20.0f;
+    shiny.illumination_model = 2;
+    Material glass;
+    glass.diffuse = glm::vec3(0.5f);
+    glass.opacity = 0.0f;
+    glass.illumination_model = 6;
+    scene.materials = {shiny, glass};
+    for (int i = 0; i < choice(ray.direction.x); ++i) {
+        add(-static_cast<float>(i), 0);
+    }
+    if (choice(ray.direction.y) > 0) {
+        add(choice(ray.direction.y) == 1 ? 1.0f : 9.0f, 1); // before the eye, or behind it
+    }
+    if (choice(ray.origin.x) > 0) {
+        Light light;
+        light.color = glm::vec3(choice(ray.origin.x) > 1 ? 1.0f : 0.0f);
+        if (choice(ray.origin.x) == 3) {
+            light.across = glm::vec3(1.0f, 0.0f, 0.0f);
+            light.along = glm::vec3(0.0f, 0.0f, 1.0f);
+        }
+        scene.lights.push_back(light);
+    }
+    std::vector<Found> found(static_cast<std::size_t>(question.steps));
+    for (const EffectCall& call : effects_called_for(scene, 1.0, Quality{}.faintest)) {
+        const auto place = static_cast<std::size_t>(call.effect);
+        if (place < found.size()) {
+            found[place][0] = 1;
+        }
+    }
+    return found;
+}
+
 // Of two contenders in three rounds each, by processor time. By the clock the rounds took as long
 // in another order, so that nobody takes one for the other.
 Found ratio_of_speeds(const CourseQuestion& /*question*/, const Ray& ray) {
@@ -142,6 +219,16 @@ Found ratio_of_speeds(const CourseQuestion& /*question*/, const Ray& ray) {
 
 using AskFunction = Found (*)(const CourseQuestion&, const Ray&);
 
+// One number after the other, in the steps of the answer.
+using AskList = std::vector<Found> (*)(const CourseQuestion&, const Ray&);
+
+AskList list_of(const std::string& subject) {
+    static const std::map<std::string, AskList> lists{{"calls_of_contest", calls_of_contest},
+                                                      {"effects_of_scene", effects_of_scene}};
+    const auto place = lists.find(subject);
+    return place == lists.end() ? nullptr : place->second;
+}
+
 AskFunction function_of(const std::string& subject) {
     static const std::map<std::string, AskFunction> functions{{"range_of_rounds", range_of_rounds},
                                                               {"surely_below", surely_below},
@@ -154,7 +241,7 @@ AskFunction function_of(const std::string& subject) {
     if (place == functions.end()) {
         throw InputError("no function has the name " + subject +
                          ". Take range_of_rounds, surely_below, growth, bounce, mean_bounce, "
-                         "listed_ray or speed_ratio.");
+                         "listed_ray, speed_ratio, calls_of_contest or effects_of_scene.");
     }
     return place->second;
 }
@@ -162,14 +249,23 @@ AskFunction function_of(const std::string& subject) {
 } // namespace
 
 Answer answer_by_functions(const CourseQuestion& question) {
-    const AskFunction ask = function_of(question.subject);
-    Answer answer{question.rays, {{}}};
+    const AskList ask_list = list_of(question.subject);
+    const AskFunction ask = ask_list ? nullptr : function_of(question.subject);
+    Answer answer{question.rays, {}};
+    answer.steps.resize(ask_list ? static_cast<std::size_t>(question.steps) : 1);
     std::mt19937 generator(static_cast<std::uint32_t>(question.seed));
     for (int i = 0; i < question.random_rays; ++i) {
         answer.rays.push_back(random_numbers(generator));
     }
     for (const Ray& ray : answer.rays) {
-        answer.steps.front().push_back(ask(question, ray));
+        if (!ask_list) {
+            answer.steps.front().push_back(ask(question, ray));
+            continue;
+        }
+        const std::vector<Found> list = ask_list(question, ray);
+        for (std::size_t step = 0; step < list.size(); ++step) {
+            answer.steps[step].push_back(list[step]);
+        }
     }
     return answer;
 }

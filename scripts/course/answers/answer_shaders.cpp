@@ -23,6 +23,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace raysteps {
 
@@ -86,17 +87,9 @@ Image magnified(const Image& image) {
     return large;
 }
 
-Answer answer_checkpoint(const CourseQuestion& question) {
-    const Scene scene = scene_of(question);
-    Answer answer{rays_of(question, scene), {}};
-    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
-    const RayTextures rays = upload_rays(answer.rays);
-    const bool of_packets = has_packets(question.structure);
-    Parts parts =
-        of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
-    parts["checkpoint"] = question.subject;
-    parts["observer"] = "observer/none.glsl";
-    Program program(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts);
+// The scene, its structure, the rays, and the uniforms that stand in the question.
+std::vector<BufferTexture> give(Program& program, const CourseQuestion& question,
+                                const SceneTextures& textures, const RayTextures& rays) {
     program.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("triangle_count", textures.triangle_count)
@@ -121,11 +114,68 @@ Answer answer_checkpoint(const CourseQuestion& question) {
         empty.emplace_back(std::span(zeros));
         program.set(name, empty.back());
     }
+    return empty;
+}
+
+Program& program_of(const std::string& pass, Parts parts, KeptProgram& kept) {
+    parts.try_emplace("real", "real/float.glsl");
+    std::string text = read_shader(pass, parts).text;
+    if (!kept.program || kept.text != text) {
+        kept.program.reset();
+        kept.program.emplace(pass, parts);
+        kept.text = std::move(text);
+    }
+    return *kept.program;
+}
+
+Answer answer_checkpoint(const CourseQuestion& question, KeptProgram& kept) {
+    const Scene scene = scene_of(question);
+    Answer answer{rays_of(question, scene), {}};
+    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
+    const RayTextures rays = upload_rays(answer.rays);
+    const bool of_packets = has_packets(question.structure);
+    Parts parts =
+        of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
+    parts["checkpoint"] = question.subject;
+    parts["observer"] = question.observer;
+    Program& program =
+        program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts, kept);
+    const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
     const Texture texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
     for (int step = 1; step <= question.steps; ++step) {
         program.set("step_number", step);
         draw(program, {.textures = {texture}});
         answer.steps.push_back(founds_in(texture, answer.rays.size()));
+    }
+    return answer;
+}
+
+// Of a walk that is recorded: 64 x 64 events, and as many rounds.
+constexpr int recorded_side = 64;
+
+// Each pixel makes the whole walk again, and remembers one event of it.
+Answer answer_walk(const CourseQuestion& question) {
+    const Scene scene = scene_of(question);
+    Answer answer{rays_of(question, scene), {}};
+    if (answer.rays.size() != 1 || has_packets(question.structure)) {
+        throw InputError("a walk is recorded of one ray, and not of packets. Ask so.");
+    }
+    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
+    const RayTextures rays = upload_rays(answer.rays);
+    Parts parts = parts_of(question);
+    parts["observer"] = "record.glsl";
+    Program program("record_walk.frag", parts);
+    const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
+    program.set("any_will_do", question.subject == "any" ? 1 : 0).set("side", recorded_side);
+    const std::array<Texture, 3> found{
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side),
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side),
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side)};
+    draw(program, {.textures = {found[0], found[1], found[2]}});
+    for (const Texture& texture : found) {
+        const std::vector<glm::uvec4> texels = read_integers(texture);
+        answer.steps.emplace_back(texels.size());
+        std::transform(texels.begin(), texels.end(), answer.steps.back().begin(), found_in);
     }
     return answer;
 }
@@ -208,10 +258,12 @@ Answer answer_difference(const CourseQuestion& question) {
 
 } // namespace
 
-Answer answer_by_shaders(const CourseQuestion& question) {
+Answer answer_by_shaders(const CourseQuestion& question, KeptProgram& kept) {
     switch (question.kind) {
     case QuestionKind::checkpoint:
-        return answer_checkpoint(question);
+        return answer_checkpoint(question, kept);
+    case QuestionKind::walk:
+        return answer_walk(question);
     case QuestionKind::rays:
         return answer_rays(question);
     case QuestionKind::picture:

@@ -1,5 +1,6 @@
 """What the tests of the coursework share."""
 
+import functools
 import os
 import subprocess
 import sys
@@ -30,10 +31,17 @@ FORBIDDEN = _why_forbidden()
 HOW = ("--without-sandbox",) if FORBIDDEN else ()  # for `grade`, where the sandbox is not what is tested
 
 
+@functools.lru_cache(maxsize=None)
+def _all_exercises():
+    from course import exercises
+
+    return exercises.load()
+
+
 def exercise_of(number):
     from course import exercises
 
-    return exercises.select_one(exercises.load(), number)
+    return exercises.select_one(_all_exercises(), number)
 
 
 def solution_of(number):
