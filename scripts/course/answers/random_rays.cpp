@@ -130,18 +130,12 @@ Ray uneven(Ray ray, RandomNumbers& numbers) {
     return ray;
 }
 
-// One of its eight numbers is none, or is infinite.
+// One number of its origin or its direction is none, or is infinite.
 Ray not_numbers(Ray ray, RandomNumbers& numbers) {
     const std::array<float, 3> ill{not_a_number, infinite, -infinite};
     const float number = ill[static_cast<std::size_t>(numbers.below(3))];
-    const int place = numbers.below(8);
-    if (place < 3) {
-        ray.origin[place] = number;
-    } else if (place < 6) {
-        ray.direction[place - 3] = number;
-    } else {
-        (place == 6 ? ray.t_min : ray.t_max) = number;
-    }
+    const int place = numbers.below(6);
+    (place < 3 ? ray.origin[place] : ray.direction[place - 3]) = number;
     return ray;
 }
 
