@@ -21,6 +21,9 @@ from .exercises import ROOT
 BUILD = ROOT / "build" / "default"
 STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
 
+# A compiler's cache does not know what to do with compiled headers.
+WITHOUT_CACHE = {**os.environ, "CCACHE_DISABLE": "1"}
+
 
 @dataclass
 class Failure:
@@ -113,6 +116,7 @@ class Companions:
     def __init__(self, engine):
         self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
         self._engine, self._mine, self._all = engine, threading.local(), []
+        self._headers, self._lock = {}, threading.Lock()
 
     def ask(self, job):
         if not hasattr(self._mine, "program"):
@@ -123,6 +127,23 @@ class Companions:
                                                    self._folder.name)
             self._all.append(self._mine.program)
         return self._mine.program.ask(json.dumps(job))
+
+    def headers(self, file, compile_):
+        """A header of all that the project's file includes, compiled once: to read those takes most
+        of the time of a trial in C++."""
+        with self._lock:
+            if file not in self._headers:
+                header = Path(self._folder.name) / f"{len(self._headers)}.h"
+                header.write_text("".join(line for line in (ROOT / file).read_text().splitlines(True)
+                                          if line.startswith("#include")))
+                words = _with(compile_, o=f"{header}.gch", c=header)
+                words[words.index("-c"):words.index("-c")] = ["-x", "c++-header"]
+                made = sandbox.run(words, self._engine.build_limits, WITHOUT_CACHE,
+                                   folder=self._engine.build)
+                if made.code != 0:
+                    raise MachineError(f"the headers of {file} do not compile: {made.errors.strip()}")
+                self._headers[file] = header
+            return self._headers[file]
 
     def close(self):
         for program in self._all:
@@ -281,9 +302,13 @@ def build_with(engine, file, overlay):
         first = compile_.index("-MD")
         del compile_[first:first + 5]
     own, program = overlay / "own.o", overlay / "course_builders"
+    if engine.companions:
+        first = compile_.index("-o")
+        compile_[first:first] = ["-include", str(engine.companions.headers(file, compile_))]
     link.insert(link.index(archive), str(own))
     for command in (_with(compile_, o=own, c=overlay / file), _with(link, o=program)):
-        outcome = sandbox.run(command, engine.build_limits, folder=engine.build)
+        outcome = sandbox.run(command, engine.build_limits,
+                              WITHOUT_CACHE if engine.companions else None, folder=engine.build)
         if outcome.timed_out:
             return Failure("time", "took too long to compile.")
         if outcome.code != 0:
