@@ -27,6 +27,9 @@ STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
 SECONDS_BETWEEN_LINES = 5  # of progress, where it goes to a file
 CLOCK_IN_CPP = 20  # seconds: what a right answer in C++ takes is far below
 MOST_BYTES_OF_ANSWERS = 8 << 20
+# A compiler's cache does not know what to do with compiled headers.
+WITHOUT_CACHE = {**os.environ, "CCACHE_DISABLE": "1"}
+
 
 # Runs a program on a job. Its answers come out as the last words: in a sandbox no file outlasts it.
 RUN = '"$0" "$1" "$TMPDIR/answers.json" >&2 && cat "$TMPDIR/answers.json"'
@@ -135,6 +138,7 @@ class Companions:
     def __init__(self, engine):
         self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
         self._engine, self._mine, self._all = engine, threading.local(), []
+        self._headers, self._lock = {}, threading.Lock()
 
     def ask(self, job):
         if not hasattr(self._mine, "program"):
@@ -145,6 +149,23 @@ class Companions:
                                                    self._folder.name)
             self._all.append(self._mine.program)
         return self._mine.program.ask(json.dumps(job))
+
+    def headers(self, file, compile_):
+        """A header of all that the project's file includes, compiled once: to read those takes most
+        of the time of a trial in C++."""
+        with self._lock:
+            if file not in self._headers:
+                header = Path(self._folder.name) / f"{len(self._headers)}.h"
+                header.write_text("".join(line for line in (ROOT / file).read_text().splitlines(True)
+                                          if line.startswith("#include")))
+                words = _with(compile_, o=f"{header}.gch", c=header)
+                words[words.index("-c"):words.index("-c")] = ["-x", "c++-header"]
+                made = sandbox.run(words, self._engine.build_limits, WITHOUT_CACHE,
+                                   folder=self._engine.build)
+                if made.code != 0:
+                    raise MachineError(f"the headers of {file} do not compile: {made.errors.strip()}")
+                self._headers[file] = header
+            return self._headers[file]
 
     def close(self):
         for program in self._all:
@@ -333,6 +354,9 @@ def build_with(engine, file, overlay):
         first = compile_.index("-MD")
         del compile_[first:first + 5]
     own, program = overlay / "own.o", overlay / "course_builders"
+    if engine.companions:
+        first = compile_.index("-o")
+        compile_[first:first] = ["-include", str(engine.companions.headers(file, compile_))]
     place = link.index(archive)
     link[place:place + 1] = [str(own), str(_without_own(engine.build / archive, made, overlay))]
     compile_, link = _with(compile_, o=own, c=overlay / file), _with(link, o=program)
@@ -342,7 +366,8 @@ def build_with(engine, file, overlay):
             command, limits = _enclosed(command, limits, seen, lent=[overlay], writable=[overlay],
                                         hidden=[ROOT / file] if command is compile_ else [],
                                         folder=overlay if command is compile_ else engine.build)
-        outcome = sandbox.run(command, limits, _environment() if engine.is_enclosed else None, engine.build)
+        environment = _environment() if engine.is_enclosed else WITHOUT_CACHE if engine.companions else None
+        outcome = sandbox.run(command, limits, environment, engine.build)
         bubblewrap.require_start(outcome)
         if outcome.timed_out:
             return Failure("time", "It took too long to compile.")

@@ -35,7 +35,8 @@ def _hit(texel):
 def _steps(events, hits):
     """A place that the walk visits with the tests made there; without visits, each test is a step."""
     steps, visits = [], False
-    for (kind, number, round_, _), hit in zip(events, hits):
+    for event, hit in zip(events, hits):
+        kind, number, round_ = event[:3]
         if not kind:
             break
         number = _signed(number)

@@ -33,11 +33,13 @@ struct CourseQuestion {
     std::string scene = "tetrahedron";
     std::string triangle = "watertight";
     std::string structure = "every_triangle";
-    std::string observer = "observer/none.glsl"; // the part that watches the walk of a checkpoint
-    std::map<std::string, std::string> options;  // of the builder, as --NAME
-    std::vector<Ray> rays;                       // these, and
-    int random_rays = 0;                         // so many at the scene's box, from around it
-    int seed = 1;                                // of those
+    // The part that watches the walk of a checkpoint.
+    std::string observer = "observer_in_order.glsl";
+    std::map<std::string, std::string> options;   // of the builder, as --NAME
+    std::vector<Ray> rays;                        // these, and
+    int random_rays = 0;                          // so many at the scene's box, from around it
+    int seed = 1;                                 // of those
+    std::vector<std::string> families{"bounded"}; // of those, in turn: see random_rays.cpp
     int steps = 1;
     int width = 64;
     int height = 48;
