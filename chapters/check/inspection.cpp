@@ -15,6 +15,26 @@
 
 namespace raysteps {
 
+BoxTree embree_tree(std::span<const glm::vec3> corners, const BvhOptions& options) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        boxes.push_back(bounds_of(corners.subspan(i, 3)));
+    }
+    EmbreeBuilder builder(boxes, {.leaf_triangles = options.leaf_triangles,
+                                  .traversal_cost = options.traversal_cost,
+                                  .intersection_cost = options.intersection_cost});
+    builder.prepare();
+    builder.build();
+    BoxTree tree;
+    const EmbreeNodes read = builder.nodes();
+    for (const EmbreeNode& node : read.nodes) {
+        tree.nodes.push_back({node.box, node.first, node.count});
+        tree.children.insert(tree.children.end(), node.children.begin(), node.children.end());
+    }
+    tree.order = read.triangles;
+    return tree;
+}
+
 namespace {
 
 // So many misplaced children are compared with each other: all pairs of them.
@@ -108,26 +128,6 @@ void guess_shift(const BoxTree& tree, const Scene& scene, const TreeFindings& fo
         guesses.push_back("The triangle numbers are one too high: they count from 1. Count from "
                           "0.");
     }
-}
-
-BoxTree embree_tree(std::span<const glm::vec3> corners, const BvhOptions& options) {
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < corners.size(); i += 3) {
-        boxes.push_back(bounds_of(corners.subspan(i, 3)));
-    }
-    EmbreeBuilder builder(boxes, {.leaf_triangles = options.leaf_triangles,
-                                  .traversal_cost = options.traversal_cost,
-                                  .intersection_cost = options.intersection_cost});
-    builder.prepare();
-    builder.build();
-    BoxTree tree;
-    const EmbreeNodes read = builder.nodes();
-    for (const EmbreeNode& node : read.nodes) {
-        tree.nodes.push_back({node.box, node.first, node.count});
-        tree.children.insert(tree.children.end(), node.children.begin(), node.children.end());
-    }
-    tree.order = read.triangles;
-    return tree;
 }
 
 void inspect_boxes(Inspection& inspection, const BoxTree& tree, const Scene& scene,

@@ -29,6 +29,9 @@ struct Inspection {
 Inspection inspect(const AnyTree& tree, const Scene& scene, const BvhOptions& options,
                    const std::function<void(double)>& progress);
 
+// The tree of Embree's builder. Throws MachineError where Embree is missing.
+BoxTree embree_tree(std::span<const glm::vec3> corners, const BvhOptions& options);
+
 // For people, and for programs (check.schema.json).
 std::string to_table(const Inspection& inspection);
 Numbers numbers_of(const Inspection& inspection);

@@ -25,6 +25,7 @@ struct CheckRequest {
     std::filesystem::path rays;
     std::filesystem::path hits;     // of --judge
     std::filesystem::path exported; // of --export
+    bool triangles_inside = false;
     std::string structure = "bvh_ordered";
     std::map<std::string, std::string> build_values; // --tree is among them
     std::string why;
@@ -115,7 +116,8 @@ void run_check(const CheckRequest& request) {
     const Scene scene = load_scene(request.scene);
     if (!request.exported.empty()) {
         write_tree_file(request.exported,
-                        {"Raysteps " + request.structure, own_tree(request, scene)});
+                        {"Raysteps " + request.structure, own_tree(request, scene),
+                         request.triangles_inside ? scene.corners : std::vector<glm::vec3>()});
         print_written(request.exported);
         return;
     }
@@ -186,6 +188,8 @@ int main(int argc, char** argv) {
                  "RAY,TRIANGLE: why that ray of --rays does not come to that triangle");
     options.output_file("--export", request.exported,
                         "write our own structure to this file, and check nothing");
+    options.flag("--triangles-inside", request.triangles_inside,
+                 "with the triangles themselves in the file of --export");
     options.text("--structure", request.structure,
                  "what --export writes: the structure of this walk, with its builder's options");
     options.output_folder("--out", request.scene.out, "the folder for rays that go wrong");

@@ -89,6 +89,7 @@ TreePaths paths_of(const BoxTree& tree, std::size_t triangles) {
     TreePaths paths{std::vector<std::int32_t>(tree.nodes.size(), no_child),
                     std::vector<std::vector<std::int32_t>>(triangles)};
     std::vector<char> reached(tree.nodes.size(), 0);
+    std::size_t seen = 0;
     std::vector<std::size_t> open;
     if (!tree.nodes.empty()) {
         open.push_back(0);
@@ -110,6 +111,10 @@ TreePaths paths_of(const BoxTree& tree, std::size_t triangles) {
         }
         const BvhNode& leaf = tree.nodes[node];
         const std::int64_t end = std::int64_t{leaf.first} + leaf.count;
+        seen += place_of(std::max(0, leaf.count));
+        if (seen > most_references(tree)) {
+            continue;
+        }
         for (std::int64_t r = std::max(0, leaf.first);
              r < std::min(end, static_cast<std::int64_t>(tree.order.size())); ++r) {
             const std::int32_t triangle = tree.order[static_cast<std::size_t>(r)];

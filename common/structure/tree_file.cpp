@@ -27,6 +27,7 @@ constexpr std::uintmax_t most_file_bytes = std::uintmax_t{16} << 30;
 constexpr std::uint64_t most_records = std::uint64_t{1} << 28;
 constexpr std::uint64_t most_record_bytes = 4096;
 constexpr std::size_t most_gaps = 16;
+constexpr int deepest_kd_tree = 256;  // our builder's are 64 deep at most
 constexpr std::size_t alignment = 16; // of the head's end and of each array
 
 static_assert(std::endian::native == std::endian::little, "the file's numbers are little-endian");
@@ -406,6 +407,8 @@ KdTree read_kd_tree(const ReadArrays& arrays) {
     tree.boxes[0] = root;
     std::vector<char> reached(nodes.count, 0);
     reached[0] = 1;
+    std::vector<int> depths(nodes.count, 0);
+    std::int64_t listed = 0;
     for (std::size_t i = 0; i < nodes.count; ++i) {
         KdNode& node = tree.nodes[i];
         node.axis = index_at(nodes, axis, i);
@@ -416,6 +419,10 @@ KdTree read_kd_tree(const ReadArrays& arrays) {
                 end > static_cast<std::int64_t>(tree.references.size())) {
                 refuse_unsound("kd-tree",
                                "leaf " + std::to_string(i) + " has references outside the list.");
+            }
+            listed += end - start;
+            if (listed > static_cast<std::int64_t>(tree.references.size())) {
+                refuse_unsound("kd-tree", "leaf " + std::to_string(i) + " shares references.");
             }
             node.first_reference = start;
             node.end_reference = static_cast<int>(end);
@@ -431,9 +438,13 @@ KdTree read_kd_tree(const ReadArrays& arrays) {
                                           " has no axis, or children that do not stand behind it "
                                           "and under it alone.");
         }
+        if (depths[i] >= deepest_kd_tree) {
+            refuse_unsound("kd-tree", "it is deeper than " + std::to_string(deepest_kd_tree) + ".");
+        }
         const auto child = static_cast<std::size_t>(start);
         for (std::size_t side = 0; side < 2; ++side) {
             reached[child + side] = 1;
+            depths[child + side] = depths[i] + 1;
             tree.nodes[child + side].parent = static_cast<int>(i);
             tree.boxes[child + side] = tree.boxes[i];
         }

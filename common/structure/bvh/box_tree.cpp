@@ -10,8 +10,6 @@ namespace raysteps {
 
 namespace {
 
-constexpr std::size_t most_references = std::size_t{1} << 28;
-
 std::size_t place_of(std::int32_t number) {
     return static_cast<std::size_t>(number);
 }
@@ -118,8 +116,11 @@ void check_walkable(const BoxTree& tree, std::size_t triangles) {
         const std::size_t node = open.back();
         open.pop_back();
         if (is_leaf(tree, node)) {
+            references += place_of(std::max(0, tree.nodes[node].count));
+            if (references > most_references(tree)) {
+                refuse("leaves share their triangles again and again");
+            }
             check_leaf(tree, node, triangles);
-            references += place_of(tree.nodes[node].count);
             continue;
         }
         std::size_t count = 0;
@@ -140,9 +141,6 @@ void check_walkable(const BoxTree& tree, std::size_t triangles) {
         if (tree.width == 2 && count != 2) {
             refuse("node " + std::to_string(node) + " has one child");
         }
-    }
-    if (references > most_references) {
-        refuse("the leaves list more than " + std::to_string(most_references) + " triangles");
     }
 }
 

@@ -31,6 +31,11 @@ struct BoxTree {
 std::span<const std::int32_t> children_of(const BoxTree& tree, std::size_t node);
 bool is_leaf(const BoxTree& tree, std::size_t node);
 
+// Of leaves that share the same part of the order, so many triangles together are looked at.
+inline std::size_t most_references(const BoxTree& tree) {
+    return 4 * tree.order.size() + 1024;
+}
+
 // The same hierarchy. A node of four has its box from its parent, and the root that of all.
 BoxTree box_tree_of(const Bvh& bvh);
 BoxTree box_tree_of(const Bvh4& bvh);

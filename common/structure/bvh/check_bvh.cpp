@@ -194,6 +194,15 @@ private:
             });
             return;
         }
+        // Leaves that share their triangles again and again would take for ever.
+        seen_ += place_of(leaf.count);
+        if (seen_ > most_references(tree_)) {
+            findings_.faults.add(fault_of_range, [&] {
+                return "Leaf " + std::to_string(node) +
+                       " has triangles that others have had several times; it is passed over.";
+            });
+            return;
+        }
         for (const std::int32_t triangle :
              std::span(tree_.order).subspan(place_of(leaf.first), place_of(leaf.count))) {
             look_at_triangle(node, triangle);
@@ -308,6 +317,7 @@ private:
     const BoxTree& tree_;
     std::span<const glm::vec3> corners_;
     double padding_;
+    std::size_t seen_ = 0;             // places of the list, in all leaves so far
     std::vector<std::int32_t> listed_; // how often each triangle is
     std::vector<Meeting> meetings_;
     std::vector<std::pair<std::int32_t, std::int32_t>> leaves_; // triangle and leaf; of splits
