@@ -9,6 +9,7 @@
 #include "why.h"
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,34 @@ std::array<glm::vec3, 3> triangle_at(const Scene& scene, int triangle) {
     return {scene.corners[first], scene.corners[first + 1], scene.corners[first + 2]};
 }
 
+// Of a segment, the point that is nearest.
+double distance_to_edge(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 edge = b - a;
+    const double square = glm::dot(edge, edge);
+    const double share =
+        square > 0.0 ? std::clamp(glm::dot(point - a, edge) / square, 0.0, 1.0) : 0.0;
+    return glm::length(point - (a + share * edge));
+}
+
+// How far the hit's point is from the triangle that it names. Its t may be off by more: where the
+// ray grazes the triangle, a little aside is a long way along.
+double distance_from(const std::array<glm::vec3, 3>& triangle, const Ray& ray, float t) {
+    const glm::dvec3 a(triangle[0]);
+    const glm::dvec3 b(triangle[1]);
+    const glm::dvec3 c(triangle[2]);
+    const glm::dvec3 point =
+        glm::dvec3(ray.origin) + static_cast<double>(t) * glm::dvec3(ray.direction);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const bool above = glm::dot(glm::cross(b - a, point - a), normal) >= 0.0 &&
+                       glm::dot(glm::cross(c - b, point - b), normal) >= 0.0 &&
+                       glm::dot(glm::cross(a - c, point - c), normal) >= 0.0;
+    if (above && normal != glm::dvec3(0.0)) {
+        return std::abs(glm::dot(point - a, glm::normalize(normal)));
+    }
+    return std::min({distance_to_edge(point, a, b), distance_to_edge(point, b, c),
+                     distance_to_edge(point, c, a)});
+}
+
 double longest_component(const Ray& ray) {
     return static_cast<double>(std::max(
         {std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)}));
@@ -165,14 +194,16 @@ std::string fault_of(const Hit& given, const Hit& right, const Scene& scene, con
     if (!found.hit && !at_edge(found)) {
         return "the ray does not meet that triangle";
     }
-    const double room = 2.0 * padding / longest_component(ray);
-    if (!(std::abs(static_cast<double>(given.t) - found.t) <= room)) {
+    if (!(distance_from(triangle_at(scene, given.triangle), ray, given.t) <= padding)) {
         return fmt::format("the distance is not that of the triangle, {:.9g}", found.t);
     }
-    if (right.triangle != no_triangle && found.t > static_cast<double>(right.t) + room) {
-        return "there is a nearer one";
+    if (right.triangle == no_triangle || right.triangle == given.triangle) {
+        return "";
     }
-    return "";
+    const ExactIntersection nearest = exact_of(right.triangle);
+    const double room = 2.0 * padding / longest_component(ray);
+    return nearest.hit && !at_edge(nearest) && found.t > nearest.t + room ? "there is a nearer one"
+                                                                          : "";
 }
 
 } // namespace
