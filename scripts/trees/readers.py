@@ -17,6 +17,14 @@ def take(data, at, size, what):
     return data[at:at + size]
 
 
+def are_nodes(data, at, used, indices):
+    """Whether nearly all of these nodes refer to nodes and triangles that there are. A few may be wrong: to find
+    those is what the tree is read for."""
+    sound = sum(first + count <= indices if count else first + 1 < used
+                for _, _, _, first, _, _, _, count in struct.iter_unpack("<3fI3fI", data[at:at + 32 * used]))
+    return 10 * sound >= 9 * used
+
+
 def read_tinybvh(data):
     """What BVH::Save writes: a word of version and layout, the number of triangles, the object itself as it
     lay in memory, nodes, indices. How large the object is depends on the compiler, so its numbers are
@@ -33,10 +41,11 @@ def read_tinybvh(data):
         nodes_at = len(data) - 32 * used - 4 * indices
         if kind == 1 and count == triangles and 0 < used <= allocated and indices >= count and nodes_at > at + 20:
             found.append((nodes_at, used, indices))
-    if len(set(found)) != 1:
-        raise TreeError("the numbers of its nodes and triangles were not found. Was it written by BVH::Save of tinybvh "
-                        "1.6?")
-    nodes_at, used, indices = found[0]
+    found = {each for each in found if are_nodes(data, *each)}
+    if len(found) != 1:
+        raise TreeError("the numbers of its nodes and triangles were not found, or it is cut short. Was it written by "
+                        "BVH::Save of tinybvh 1.6?")
+    nodes_at, used, indices = found.pop()
     nodes = data[nodes_at:nodes_at + 32 * used]
     fields = [("lower", "float32", 0, 3), ("first", "uint32", 12, 1), ("upper", "float32", 16, 3), ("count", "uint32", 28, 1)]
     return ({"kind": "bvh", "made_by": "tinybvh", "triangles": "scene", "children_per_node": 2, "links": "pair",

@@ -1,8 +1,12 @@
 #include "catch.h"
+#include "../../../scripts/trees/raysteps_dump.h"
 #include "files.h"
+#include "scene/ray_file.h"
 #include "structure/grid/build_grid.h"
 #include "structure/kd_tree/build_kd_tree.h"
+#include "support/scratch_folder.h"
 
+#include <array>
 #include <cstring>
 
 using namespace raysteps;
@@ -74,6 +78,40 @@ TEST_CASE("the file of what a file held is the same file", "[check][file]") {
     const std::string bytes =
         tree_file_bytes({"Raysteps", box_tree_of(build_bvh(ball().corners, {}))});
     CHECK(tree_file_bytes(parse_tree_file(bytes, "same.rstree")) == bytes);
+}
+
+TEST_CASE("what raysteps_dump.h writes is the tree that a program had", "[check][file]") {
+    const BoxTree tree = tight_tree(ball().corners);
+    std::vector<BvhNode> nodes = tree.nodes;
+    const std::vector<std::uint32_t> numbers(tree.order.begin(), tree.order.end());
+    const ScratchFolder folder("dumped_trees");
+    const std::string path = (folder / "dumped.rstree").string();
+    const float* const corners = &ball().corners[0].x;
+    for (const bool inside : {false, true}) {
+        REQUIRE(raysteps_dump::tree(path, 2, "pair", nodes.data(), nodes.size(), sizeof(BvhNode),
+                                    {{"lower", "float32", 0, 3},
+                                     {"upper", "float32", 12, 3},
+                                     {"first", "uint32", 24, 1},
+                                     {"count", "uint32", 28, 1}},
+                                    numbers.data(), numbers.size(), inside ? corners : nullptr,
+                                    inside ? numbers.size() : 0, "\"made_by\": \"a test\""));
+        const TreeFile file = read_tree_file(path);
+        CHECK(file.made_by == "a test");
+        const AnyTree again = in_numbers_of(file, ball().corners);
+        CHECK(equal_bytes(std::get<BoxTree>(again).nodes, tree.nodes));
+        CHECK(std::get<BoxTree>(again).order == tree.order);
+        CHECK(std::get<BoxTree>(again).children == tree.children);
+    }
+    const std::vector<Hit> hits{{0.5f, 0.25f, 0.125f, 7}, {1e30f, 0.0f, 0.0f, -1}};
+    const std::array<float, 2> t{0.5f, 1e30f};
+    const std::array<float, 2> u{0.25f, 0.0f};
+    const std::array<float, 2> v{0.125f, 0.0f};
+    const std::array<std::int32_t, 2> triangles{7, -1};
+    REQUIRE(raysteps_dump::hits(path, t.data(), u.data(), v.data(), triangles.data(), 2));
+    CHECK(equal_bytes(read_hit_file(path), hits));
+    const std::vector<Ray> rays{{{1, 2, 3}, {4, 5, 6}, 0.0f, 7.0f}};
+    REQUIRE(raysteps_dump::rays(path, &rays[0].origin.x, 1));
+    CHECK(equal_bytes(read_ray_file(path), rays));
 }
 
 TEST_CASE("a scene without triangles has a tree too", "[check][file]") {
