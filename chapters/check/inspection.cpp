@@ -248,12 +248,12 @@ std::string to_table(const Inspection& inspection) {
     if (inspection.measured.empty()) {
         return table;
     }
-    table += fmt::format("\n{:18}{:>11}{:>10}{:>12}{:>7}{:>10}{:>9}{:>9}{:>10}\n", "tree", "nodes",
+    table += fmt::format("\n{:18}{:>11}{:>10}{:>12}{:>7}{:>10}{:>9}{:>9}{:>13}\n", "tree", "nodes",
                          "leaves", "references", "depth", "SAH cost", "overlap", "empty", "bytes");
     for (const MeasuredTree& tree : inspection.measured) {
         const BoxTreeMeasures& each = tree.measures;
         table +=
-            fmt::format("{:18}{:>11}{:>10}{:>12}{:>7}{:>10}{:>9}{:>8.1f}%{:>10}\n", tree.name,
+            fmt::format("{:18}{:>11}{:>10}{:>12}{:>7}{:>10}{:>9}{:>8.1f}%{:>13}\n", tree.name,
                         readable(static_cast<double>(each.tree.nodes)),
                         readable(static_cast<double>(each.tree.leaves)),
                         readable(static_cast<double>(each.tree.references)), each.tree.depth,

@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "../../../scripts/trees/raysteps_dump.h"
+#include "catch.h"
 #include "files.h"
 #include "scene/ray_file.h"
 #include "structure/grid/build_grid.h"
