@@ -19,9 +19,6 @@ namespace raysteps {
 
 namespace {
 
-// The share of a triangle's height within which its edge may be taken to either side: the
-// rounding of 25 e M (structure/padding.h) on a triangle of a thousandth of the scene.
-constexpr double edge_share = 1e-3;
 constexpr std::size_t most_causes = 100000;
 
 std::vector<Hit> through_own_tree(const Scene& scene, const mirror::SceneBuffers& buffers,
@@ -96,7 +93,7 @@ WrongAnswer with_cause(WrongAnswer wrong, const BoxTree& tree, const TreePaths& 
         wrong.cause = "no leaf lists it";
         break;
     case LeftOutBy::short_box:
-        wrong.cause = fmt::format("the box of node {} is short", out.node);
+        wrong.cause = fmt::format("the box of node {} does not hold it", out.node);
         break;
     case LeftOutBy::tight_box:
         wrong.cause = fmt::format("slips through the tight box of node {}", out.node);

@@ -211,9 +211,14 @@ std::string why_not(const BoxTree& tree, std::span<const glm::vec3> corners, con
         "by {}.\n",
         out.node, number_and_bits(crossing.entry), by_axis(crossing.entry_axis, "its t_min"),
         number_and_bits(crossing.exit), by_axis(crossing.exit_axis, "the hit"));
-    text += out.by == LeftOutBy::short_box
-                ? "That box does not hold the triangle: it is short.\n"
-                : "That box holds the triangle, but has no room for rounding: it is tight.\n";
+    if (out.by == LeftOutBy::short_box) {
+        text += "That box does not hold the triangle: it is short, or the triangle is in the wrong "
+                "branch.\n";
+    } else if (exact.hit || exact.margin < edge_share) {
+        text += "That box holds the triangle, but has no room for rounding: it is tight.\n";
+    } else {
+        return text + "That box holds the triangle, and the ray misses both, as it may.\n";
+    }
     const auto padding = padding_that_keeps(ray, box, t_max);
     text += padding ? fmt::format("Sides {:.3g} farther out would have kept it.\n", *padding)
                     : "No padding would have kept it.\n";

@@ -12,6 +12,10 @@
 
 namespace raysteps {
 
+// The share of a triangle's height within which rounding may take a ray to either side of its edge:
+// that of 25 e M (structure/padding.h), 3e-6 of a scene's side, on a triangle of 1/300 of it.
+inline constexpr double edge_share = 1e-3;
+
 // The parents of all nodes that can be reached, and the leaves of all triangles.
 struct TreePaths {
     std::vector<std::int32_t> parents;             // no_child of the root and of lost nodes

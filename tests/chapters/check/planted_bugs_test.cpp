@@ -106,7 +106,7 @@ TEST_CASE("a short box is found, named, and explained with both numbers", "[chec
                starts_with_text("The box of node " + std::to_string(node)));
     const std::vector<Ray> rays = rays_at_triangles();
     const AnswerCheck check = check_walks(tree, ball(), rays);
-    const std::string cause = "the box of node " + std::to_string(node) + " is short";
+    const std::string cause = "the box of node " + std::to_string(node) + " does not hold it";
     REQUIRE(count_cause(check, cause) > 0);
     CHECK(count_faults(check) == count_cause(check, cause));
     const WrongAnswer& wrong = check.wrong.front();
