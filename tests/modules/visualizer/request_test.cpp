@@ -89,7 +89,8 @@ TEST_CASE("options that make no sense are named in a sentence", "[visualizer][re
     CHECK_THAT(sentence_of({"--ray", "0,0,0,0,0,0"}), contains_text("--ray"));
     CHECK_THAT(sentence_of({"--ray", "1,2,3"}), contains_text("six numbers"));
     CHECK_THAT(sentence_of({"--ray", "0,0,0,1,0,0,0"}), contains_text("or eight"));
-    CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}), contains_text("both"));
+    CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}),
+               contains_text("all but one"));
     CHECK_THAT(sentence_of({"--step", "0"}), contains_text("--step 0"));
     CHECK_THAT(sentence_of({"--levels", "5-2"}), contains_text("--levels 5-2"));
     CHECK_THAT(sentence_of({"--color", "mood"}),
