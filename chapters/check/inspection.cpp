@@ -146,8 +146,7 @@ void inspect_boxes(Inspection& inspection, const BoxTree& tree, const Scene& sce
     inspection.measured.push_back({"the file's", measure_box_tree(tree, options)});
     progress(0.4);
     const Bvh own = build_bvh(corners, options);
-    inspection.measured.push_back(
-        {"Raysteps, binned", measure_box_tree(box_tree_of(own), options)});
+    inspection.measured.push_back({"Raysteps", measure_box_tree(box_tree_of(own), options)});
     progress(0.7);
     if (!embree_name().empty() && !corners.empty()) {
         inspection.measured.push_back(

@@ -138,8 +138,8 @@ void run_check(const CheckRequest& request) {
             explain(request, tree, scene, rays);
             return;
         }
-        BvhOptions options;
-        options.reach = static_cast<double>(reach_of(rays, scene.corners));
+        const BvhOptions options = bvh_options_of(
+            {.reach = reach_of(rays, scene.corners), .values = request.build_values});
         const Inspection inspection =
             inspect(tree, scene, options, show_progress("checking the tree"));
         std::cout << to_table(inspection) << std::flush;
