@@ -6,6 +6,7 @@
 #include "json_files.h"
 #include "read_told_walk.h"
 #include "scene/camera_text.h"
+#include "scene/ray_file.h"
 #include "state_fields.h"
 #include "structure/structure.h"
 #include "visualizer/replay/sentence.h"
@@ -207,6 +208,10 @@ void add_options(CLI::App& app, Given& given, Request& request) {
             add_option(app, field, initial.*member, given[field.option]);
         }
     });
+    app.add_option("--rays", given["--rays"],
+                   "show a ray of this file (.f32 or .csv, docs/ray_files.md)");
+    app.add_option("--ray-number", given["--ray-number"],
+                   "which ray of --rays, from 0; the first by default");
     app.add_option("--walk", given["--walk"],
                    "the walk of --structure kd, bvh or grid: restart, skip, mailbox, ...");
     app.add_option("--step", given["--step"],
@@ -255,14 +260,30 @@ void refuse_contradictions(const Given& given) {
         throw InputError("--hard-case " + given.at("--hard-case") + " and the scene " +
                          given.at("SCENE") + " both say what to show. Leave one out.");
     }
-    for (const std::string other : {"--pixel", "--ray", "--hard-case"}) {
+    for (const std::string other : {"--pixel", "--ray", "--rays", "--hard-case"}) {
         if (given.contains("--steps") && given.contains(other)) {
             throw InputError("--steps and " + other + " both name the ray. Leave one out.");
         }
     }
-    if (given.contains("--pixel") && given.contains("--ray")) {
-        throw InputError("--pixel and --ray both name the ray. Leave one out.");
+    if (given.contains("--pixel") + given.contains("--ray") + given.contains("--rays") > 1) {
+        throw InputError("--pixel, --ray and --rays all name the ray. Leave all but one out.");
     }
+    if (given.contains("--ray-number") && !given.contains("--rays")) {
+        throw InputError("--ray-number " + given.at("--ray-number") +
+                         ": it is a ray of a file. Name the file with --rays.");
+    }
+}
+
+Ray ray_of_file(const Given& given) {
+    const std::vector<Ray> rays = read_ray_file(given.at("--rays"));
+    const auto text = given.find("--ray-number");
+    const int number =
+        text == given.end() ? 0 : whole_number({text->first, text->second}, text->second, 0);
+    if (static_cast<std::size_t>(number) >= rays.size()) {
+        throw InputError("--ray-number " + std::to_string(number) + ": " + given.at("--rays") +
+                         " has " + std::to_string(rays.size()) + " rays, counted from 0.");
+    }
+    return rays[static_cast<std::size_t>(number)];
 }
 
 bool has_grids_only(const State& state) {
@@ -293,11 +314,14 @@ State with_options(State state, const Given& given) {
     if (given.contains("--pixel")) {
         state.ray.reset();
     }
-    if (given.contains("--ray")) {
+    if (given.contains("--rays")) {
+        state.ray = ray_of_file(given);
+    }
+    if (given.contains("--ray") || given.contains("--rays")) {
         state.pixel.reset();
     }
-    const bool new_ray =
-        given.contains("--pixel") || given.contains("--ray") || given.contains("--hard-case");
+    const bool new_ray = given.contains("--pixel") || given.contains("--ray") ||
+                         given.contains("--rays") || given.contains("--hard-case");
     if (new_ray && !given.contains("--show")) {
         state.filter = CellFilter::visited;
     }
