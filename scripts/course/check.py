@@ -103,7 +103,7 @@ def _compare_pictures(engine, result, own, folder, store):
     found = engines.ask(engine, engine.shaders_program(), exercise.chapter, [question])
     if isinstance(found, engines.Failure):
         raise MachineError(f"the pictures cannot be compared: {found.message}")
-    column, row, pixels, _ = found[0].steps[0][0]
+    column, row, pixels = found[0].steps[0][0][:3]
     shutil.copyfile(f"{reference}.png", f"{yours}_reference.png")
     result.pictures = {"yours": f"{yours}.png", "reference": f"{yours}_reference.png",
                        "compared": f"{yours}.compared.png", "wrong_pixels": pixels}

@@ -21,19 +21,20 @@ USUAL_TOLERANCE = 2.0**-16
 
 # A checkpoint's fields that go to the program as they are.
 PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "options", "seed", "steps",
-             "width", "height", "numbers", "points", "counts", "zeros", "random_rays")
+             "width", "height", "numbers", "points", "counts", "zeros", "random_rays", "families")
 
 
 @dataclass
 class Checkpoint:
     name: str
     question: dict
-    values: list  # pairs of name and type: float, int or bool
+    values: list  # pairs of name and type: float, exact (a float, without a tolerance), int or bool
     tolerance: float
     known: list  # of {ray, step, expected, because}
     view: list = field(default_factory=list)  # of a scene that is no sample: its file, and options
     given: dict = field(default_factory=dict)  # names for the eight numbers, where they are no ray
     where: str = ""  # what else the question says
+    observed: bool = True  # whether a shader part has to visit and test what the project's does
 
 
 @dataclass
@@ -89,14 +90,15 @@ def _checkpoint(table, place):
         entry["index"] = index
     values = [tuple(value.split()) for value in table.get("values", [])]
     for value in values:
-        if len(value) != 2 or value[1] not in ("float", "int", "bool"):
-            raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, int "
-                              "or bool. Write it so.")
+        if len(value) != 2 or value[1] not in ("float", "exact", "int", "bool"):
+            raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, exact, "
+                              "int or bool. Write it so.")
     given = table.get("given", {})
     if any(number not in range(8) for numbers in given.values() for number in numbers):
         raise CourseError(f"{place}: `given` names numbers of a ray, which are 0 to 7. Write it so.")
     return Checkpoint(table["name"], question, values, table.get("tolerance", USUAL_TOLERANCE), known,
-                      table.get("view", []), given, table.get("where", ""))
+                      table.get("view", []), given, table.get("where", ""),
+                      table.get("observed", True))
 
 
 def _exercise(table, chapter, place):

@@ -9,8 +9,9 @@
 
 namespace raysteps {
 
-// Four numbers as bits; what they are is the checkpoint's own affair.
-using Found = std::array<std::uint32_t, 4>;
+// Numbers as bits. What the first eight are is the checkpoint's own affair; of a shader part, the
+// last four say what was observed (shaders/observer_in_order.glsl).
+using Found = std::array<std::uint32_t, 12>;
 
 // What was asked, and for each step what each of the rays found. Where the rays of a picture are
 // the answer, there are none that were asked: step 1 has origin and t_min, step 2 direction and

@@ -1,8 +1,9 @@
 #include "answer_shaders.h"
 
+#include "random_rays.h"
+
 #include "basics/box.h"
 #include "basics/error.h"
-#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
@@ -19,17 +20,17 @@
 #include "structure/padding.h"
 #include "structure/structure.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
+#include <iterator>
 
 namespace raysteps {
 
 namespace {
-
-// Beyond it, a random ray starts nowhere near the scene.
-constexpr float farthest_start = 1.5f;
 
 constexpr int most_bounces = 3;
 
@@ -38,19 +39,26 @@ Scene scene_of(const CourseQuestion& question) {
                       static_cast<float>(question.width) / static_cast<float>(question.height));
 }
 
-// From around the scene's box to a point in it, as an exercise wants them: most meet something.
 std::vector<Ray> rays_of(const CourseQuestion& question, const Scene& scene) {
+    std::vector<Ray> rays = question.rays;
+    const std::vector<Ray> random = random_rays(question, bounds_of(scene.corners));
+    rays.insert(rays.end(), random.begin(), random.end());
+    return rays;
+}
+
+// A structure is made for origins as far away as this, in sizes of the scene: for the farther ones
+// among the rays its padding would swallow the scene.
+constexpr float farthest_built_for = 1024.0f;
+
+std::vector<Ray> built_for(const std::vector<Ray>& rays, const Scene& scene) {
     const Box box = bounds_of(scene.corners);
     const glm::vec3 size = box.upper - box.lower;
-    const float around = farthest_start * std::max({size.x, size.y, size.z});
-    RandomNumbers numbers(question.seed);
-    std::vector<Ray> rays = question.rays;
-    for (int i = 0; i < question.random_rays; ++i) {
-        const glm::vec3 target = box.lower + (0.5f * numbers.in_cube() + 0.5f) * size;
-        const glm::vec3 origin = target + around * numbers.in_cube();
-        rays.push_back({origin, target - origin, 0.0f, std::numeric_limits<float>::max()});
-    }
-    return rays;
+    const glm::vec3 reach(farthest_built_for * std::max({size.x, size.y, size.z}));
+    std::vector<Ray> near;
+    std::copy_if(rays.begin(), rays.end(), std::back_inserter(near), [&](const Ray& ray) {
+        return glm::all(glm::lessThanEqual(glm::abs(ray.origin - box.lower), reach));
+    });
+    return near;
 }
 
 Parts parts_of(const CourseQuestion& question) {
@@ -63,14 +71,18 @@ SceneTextures upload(const CourseQuestion& question, const Scene& scene, float r
                              .build(scene.corners, {.reach = reach, .values = question.options}));
 }
 
-Found found_in(const glm::uvec4& texel) {
-    return {texel.x, texel.y, texel.z, texel.w};
-}
-
-std::vector<Found> founds_in(const Texture& texture, std::size_t count) {
-    const std::vector<glm::uvec4> texels = read_list(texture, count);
+// Each texture has four of the numbers.
+std::vector<Found> founds_in(const std::array<Texture, 3>& textures, std::size_t count) {
     std::vector<Found> found(count);
-    std::transform(texels.begin(), texels.end(), found.begin(), found_in);
+    for (std::size_t first = 0; const Texture& texture : textures) {
+        const std::vector<glm::uvec4> texels = read_list(texture, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (glm::length_t k = 0; k < 4; ++k) {
+                found[i][first + static_cast<std::size_t>(k)] = texels[i][k];
+            }
+        }
+        first += 4;
+    }
     return found;
 }
 
@@ -89,13 +101,14 @@ Image magnified(const Image& image) {
 Answer answer_checkpoint(const CourseQuestion& question) {
     const Scene scene = scene_of(question);
     Answer answer{rays_of(question, scene), {}};
-    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
+    const SceneTextures textures =
+        upload(question, scene, reach_of(built_for(answer.rays, scene), scene.corners));
     const RayTextures rays = upload_rays(answer.rays);
     const bool of_packets = has_packets(question.structure);
     Parts parts =
         of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
     parts["checkpoint"] = question.subject;
-    parts["observer"] = "observer/none.glsl";
+    parts["observer"] = "observer_in_order.glsl";
     Program program(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts);
     program.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
@@ -121,11 +134,14 @@ Answer answer_checkpoint(const CourseQuestion& question) {
         empty.emplace_back(std::span(zeros));
         program.set(name, empty.back());
     }
-    const Texture texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
+    const auto texture = [&rays] {
+        return Texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
+    };
+    const std::array<Texture, 3> found{texture(), texture(), texture()};
     for (int step = 1; step <= question.steps; ++step) {
         program.set("step_number", step);
-        draw(program, {.textures = {texture}});
-        answer.steps.push_back(founds_in(texture, answer.rays.size()));
+        draw(program, {.textures = {found[0], found[1], found[2]}});
+        answer.steps.push_back(founds_in(found, answer.rays.size()));
     }
     return answer;
 }

@@ -57,6 +57,10 @@ CourseQuestion question_of(const Json& json) {
     question.options = json.value("options", question.options);
     question.random_rays = json.value("random_rays", question.random_rays);
     question.seed = json.value("seed", question.seed);
+    question.families = json.value("families", question.families);
+    if (question.families.empty()) {
+        throw InputError("the list `families` is empty. Name one, or leave the list out.");
+    }
     question.steps = json.value("steps", question.steps);
     question.width = json.value("width", question.width);
     question.height = json.value("height", question.height);

@@ -32,10 +32,11 @@ struct CourseQuestion {
     std::string scene = "tetrahedron";
     std::string triangle = "watertight";
     std::string structure = "every_triangle";
-    std::map<std::string, std::string> options; // of the builder, as --NAME
-    std::vector<Ray> rays;                      // these, and
-    int random_rays = 0;                        // so many at the scene's box, from around it
-    int seed = 1;                               // of those
+    std::map<std::string, std::string> options;   // of the builder, as --NAME
+    std::vector<Ray> rays;                        // these, and
+    int random_rays = 0;                          // so many at the scene's box, from around it
+    int seed = 1;                                 // of those
+    std::vector<std::string> families{"bounded"}; // of those, in turn: see random_rays.cpp
     int steps = 1;
     int width = 64;
     int height = 48;
