@@ -49,7 +49,7 @@ def read_own(exercise, folder, chosen=None):
     return Own(composed, marks.is_same(code, exercise.region.stub), name)
 
 
-def _text_for_compiler(exercise, own):
+def text_for_compiler(exercise, own):
     """C++ can say itself which line of which file it comes from."""
     if exercise.is_shader:
         return own.composed.text
@@ -83,5 +83,5 @@ def overlay(exercise, own):
     with tempfile.TemporaryDirectory(prefix="raysteps_overlay_") as name:
         path = Path(name) / exercise.file
         path.parent.mkdir(parents=True)
-        path.write_text(_text_for_compiler(exercise, own))
+        path.write_text(text_for_compiler(exercise, own))
         yield Path(name)

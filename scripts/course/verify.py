@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from . import marks
 from .check import FAILED, PASSED, STATES, judge
 from .exercises import ROOT, load
-from .own import Own
+from .own import Own, text_for_compiler
 
 # A loop that never ends is caught by its time, and C++ that reads beyond its data may crash.
 REJECTED = (FAILED, STATES["time"], STATES["crash"])
@@ -92,20 +92,46 @@ def _trials(engine, exercise, store):
     for answer in exercise.answers:
         expected = (PASSED,) if answer["kind"] == "right" else REJECTED
         yield lambda answer=answer, expected=expected: _try(
-            engine, exercise, answer["kind"], answer["name"], answer["code"].strip("\n").split("\n"),
+            engine, exercise, answer["kind"], answer["name"], _code_of(answer),
             expected, store if answer["kind"] == "right" else None)
 
 
-def _neighbours(engine, exercise, exercises):
-    """With this exercise blank and all others solved, the others of its file still pass."""
+def _neighbour_files(exercise, exercises):
+    """The other exercises of its file, each with the file in which this one is blank."""
     text = (ROOT / exercise.file).read_text()
     own = marks.with_code(text, exercise.file, {exercise.number: exercise.region.stub})
     for other in exercises:
         if other.file == exercise.file and other.number != exercise.number:
             composed = marks.compose(text, own, exercise.file, exercise.file, {other.number})
-            result = judge(engine, other, Own(composed, False, exercise.file))
-            yield Finding(exercise.number, "neighbour", f"its blank does not fail {other.number}",
-                          result.state == PASSED, result.state)
+            yield other, Own(composed, False, exercise.file)
+
+
+def _compile_ahead(engine, chosen, exercises):
+    """All versions of each C++ source that will be tried."""
+    texts = {}
+    for exercise in chosen:
+        if not exercise.is_shader:
+            codes = [exercise.region.code, exercise.region.stub,
+                     *(mutated(exercise, mutation) for mutation in exercise.mutations),
+                     *(_code_of(answer) for answer in exercise.answers)]
+            files = [with_region(exercise, code) for code in codes if code is not None]
+            files += [own for _, own in _neighbour_files(exercise, exercises)]
+            texts.setdefault(exercise.file, []).extend(
+                text_for_compiler(exercise, own) for own in files)
+    for file, versions in texts.items():
+        engine.companions.compile(file, versions)
+
+
+def _code_of(answer):
+    return answer["code"].strip("\n").split("\n")
+
+
+def _neighbours(engine, exercise, exercises):
+    """With this exercise blank and all others solved, the others of its file still pass."""
+    for other, own in _neighbour_files(exercise, exercises):
+        result = judge(engine, other, own)
+        yield Finding(exercise.number, "neighbour", f"its blank does not fail {other.number}",
+                      result.state == PASSED, result.state)
 
 
 def verify(engine, chosen, store, workers, say):
@@ -119,6 +145,7 @@ def verify(engine, chosen, store, workers, say):
                                 not lacks, f"lacks {lacks}" if lacks else ""))
     for finding in findings:
         say(finding)
+    _compile_ahead(engine, chosen, exercises)
     trials = [trial for exercise in chosen for trial in _trials(engine, exercise, store)]
     trials += [lambda exercise=exercise: list(_neighbours(engine, exercise, exercises))
                for exercise in chosen]
