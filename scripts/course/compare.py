@@ -76,7 +76,9 @@ def first_wrong(answer, reference, checkpoint):
                             checkpoint)
             if not all(value["right"] for value in values):
                 ray = reference.rays[index] if reference.rays else []
-                return Wrong(index, step, ray, values, asked=reference.rays)
+                shown = [value for value in values
+                         if (value["name"], "int") not in OBSERVED or not value["right"]]
+                return Wrong(index, step, ray, shown, asked=reference.rays)
     return None
 
 

@@ -5,6 +5,7 @@
 #include "measure/contest.h"
 #include "measure/cosine_direction.h"
 #include "render/rays.h"
+#include "structure/kd_tree/kd_split.h"
 
 #include <glm/geometric.hpp>
 
@@ -183,6 +184,42 @@ Found ratio_of_speeds(const CourseQuestion& question, const Ray& ray) {
     return {bits(ratio.median), bits(ratio.lowest), bits(ratio.highest)};
 }
 
+// A box with the lower corner 0, split along x. The first three numbers are its sides, then come a
+// quarter of the plane's share of the side along x, how many triangles lie below the plane and
+// above it (rounded down), and what a step and a test cost; `empty_bonus` is in hundredths.
+Found plane_cost(const CourseQuestion& question, const Ray& ray) {
+    const Numbers numbers = numbers_of(ray);
+    const Box box{glm::vec3(0.0f), ray.origin};
+    const auto plane = static_cast<float>(numbers[3] / 4.0 * numbers[0]);
+    const auto below = static_cast<int>(numbers[4]);
+    const auto above = static_cast<int>(numbers[5]);
+    // The only event within the box is the plane, where a triangle ends that is one of those below,
+    // or one starts that is one of those above.
+    KdEvents events;
+    const auto add = [&](float from, float to, int triangle) {
+        events[0].push_back(make_event(from, triangle, KdEventKind::start));
+        events[0].push_back(make_event(to, triangle, KdEventKind::end));
+    };
+    const float before = -1.0f;
+    const float behind = box.upper.x + 1.0f;
+    for (int i = 0; i < below; ++i) {
+        add(before, i == 0 ? plane : before + 0.5f, i);
+    }
+    for (int i = below; i < below + above; ++i) {
+        add(below == 0 && i == 0 ? plane : behind, behind + 1.0f, i);
+    }
+    std::sort(events[0].begin(), events[0].end(), [](const KdEvent& a, const KdEvent& b) {
+        return a.position < b.position || (a.position == b.position && a.code < b.code);
+    });
+    KdOptions options;
+    options.traversal_cost = numbers[6];
+    options.intersection_cost = numbers[7];
+    options.empty_bonus = question.numbers.at("empty_bonus") / 100.0;
+    const KdPlane found = cheapest_plane(events, box, 0.0, options);
+    return {bits(found.cost), static_cast<std::uint32_t>(found.lower_count),
+            static_cast<std::uint32_t>(found.upper_count), bits(static_cast<double>(plane))};
+}
+
 using AskFunction = Found (*)(const CourseQuestion&, const Ray&);
 
 AskFunction function_of(const std::string& subject) {
@@ -192,12 +229,13 @@ AskFunction function_of(const std::string& subject) {
                                                               {"bounce", bounce},
                                                               {"mean_bounce", mean_bounce},
                                                               {"listed_ray", listed_ray},
+                                                              {"plane_cost", plane_cost},
                                                               {"speed_ratio", ratio_of_speeds}};
     const auto place = functions.find(subject);
     if (place == functions.end()) {
         throw InputError("no function has the name " + subject +
                          ". Take range_of_rounds, surely_below, growth, bounce, mean_bounce, "
-                         "listed_ray or speed_ratio.");
+                         "listed_ray, plane_cost or speed_ratio.");
     }
     return place->second;
 }

@@ -130,28 +130,13 @@ Ray uneven(Ray ray, RandomNumbers& numbers) {
     return ray;
 }
 
-// One of its first so many numbers is none, or is infinite.
-Ray ill(Ray ray, int most, RandomNumbers& numbers) {
-    const std::array<float, 3> kinds{not_a_number, infinite, -infinite};
-    const float number = kinds[static_cast<std::size_t>(numbers.below(3))];
-    const int place = numbers.below(most);
-    if (place < 3) {
-        ray.origin[place] = number;
-    } else if (place < 6) {
-        ray.direction[place - 3] = number;
-    } else {
-        (place == 6 ? ray.t_min : ray.t_max) = number;
-    }
-    return ray;
-}
-
+// One number of its origin or its direction is none, or is infinite.
 Ray not_numbers(Ray ray, RandomNumbers& numbers) {
-    return ill(ray, 8, numbers);
-}
-
-// Only origin and direction: a t_min that is no number is not less than t_max, as a ray's must be.
-Ray not_vectors(Ray ray, RandomNumbers& numbers) {
-    return ill(ray, 6, numbers);
+    const std::array<float, 3> ill{not_a_number, infinite, -infinite};
+    const float number = ill[static_cast<std::size_t>(numbers.below(3))];
+    const int place = numbers.below(6);
+    (place < 3 ? ray.origin[place] : ray.direction[place - 3]) = number;
+    return ray;
 }
 
 Family family_named(const std::string& name) {
@@ -167,8 +152,7 @@ Family family_named(const std::string& name) {
                                                         {"far", far},
                                                         {"nearly_equal", nearly_equal},
                                                         {"uneven", uneven},
-                                                        {"not_numbers", not_numbers},
-                                                        {"not_vectors", not_vectors}};
+                                                        {"not_numbers", not_numbers}};
     const auto place = families.find(name);
     if (place == families.end()) {
         std::string known;

@@ -48,9 +48,9 @@ Walk walk_after(Ray ray, int launches) {
 
 #include <checkpoint>
 
-layout(location = 0) out uvec4 answer;
-layout(location = 1) out uvec4 more;
-layout(location = 2) out uvec4 observed;
+layout(location = 0) precise out uvec4 answer;
+layout(location = 1) precise out uvec4 more;
+layout(location = 2) precise out uvec4 observed;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -12,6 +12,10 @@ uvec4 bits_of_point(real3 point, real number) {
     return uvec4(bits(point.x), bits(point.y), bits(point.z), bits(number));
 }
 
+bool is_finite(real x) {
+    return abs(x) <= real(farthest);
+}
+
 // The next number away from zero, and towards it. Of zero, the least that no platform takes for
 // zero.
 const float least_number = 1.17549435e-38f; // 2^-126
@@ -25,11 +29,18 @@ real towards_zero(real x) {
     return real(uintBitsToFloat(floatBitsToUint(float(x)) - 1u));
 }
 
+// What is not finite stays.
 real just_above(real x) {
+    if (!is_finite(x)) {
+        return x;
+    }
     return x < real(0.0f) ? towards_zero(x) : away_from_zero(x);
 }
 
 real just_below(real x) {
+    if (!is_finite(x)) {
+        return x;
+    }
     return x > real(0.0f) ? towards_zero(x) : -away_from_zero(-x);
 }
 
