@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from . import bubblewrap, sandbox
+from . import bubblewrap, sandbox, together
 from .errors import CourseError, MachineError
 from .exercises import ROOT
 from .failure import Failure, of_refusal, of_run
@@ -27,8 +27,6 @@ STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
 SECONDS_BETWEEN_LINES = 5  # of progress, where it goes to a file
 CLOCK_IN_CPP = 20  # seconds: what a right answer in C++ takes is far below
 MOST_BYTES_OF_ANSWERS = 8 << 20
-# A compiler's cache does not know what to do with compiled headers.
-WITHOUT_CACHE = {**os.environ, "CCACHE_DISABLE": "1"}
 
 
 # Runs a program on a job. Its answers come out as the last words: in a sandbox no file outlasts it.
@@ -138,7 +136,7 @@ class Companions:
     def __init__(self, engine):
         self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
         self._engine, self._mine, self._all = engine, threading.local(), []
-        self._headers, self._lock = {}, threading.Lock()
+        self.objects = {}  # of C++ that was compiled ahead, by its text
 
     def ask(self, job):
         if not hasattr(self._mine, "program"):
@@ -150,22 +148,15 @@ class Companions:
             self._all.append(self._mine.program)
         return self._mine.program.ask(json.dumps(job))
 
-    def headers(self, file, compile_):
-        """A header of all that the project's file includes, compiled once: to read those takes most
-        of the time of a trial in C++."""
-        with self._lock:
-            if file not in self._headers:
-                header = Path(self._folder.name) / f"{len(self._headers)}.h"
-                header.write_text("".join(line for line in (ROOT / file).read_text().splitlines(True)
-                                          if line.startswith("#include")))
-                words = _with(compile_, o=f"{header}.gch", c=header)
-                words[words.index("-c"):words.index("-c")] = ["-x", "c++-header"]
-                made = sandbox.run(words, self._engine.build_limits, WITHOUT_CACHE,
-                                   folder=self._engine.build)
-                if made.code != 0:
-                    raise MachineError(f"the headers of {file} do not compile: {made.errors.strip()}")
-                self._headers[file] = header
-            return self._headers[file]
+    def compile(self, file, texts):
+        """Compiles versions of one C++ source ahead, in one go."""
+        compile_, _, _, made = _build_steps(self._engine, file)
+        folder = Path(self._folder.name) / "versions" / file
+
+        def command(source, object_file):
+            return ["env", "-C", self._engine.build, *_with(_for_own(compile_), o=object_file, c=source)]
+
+        self.objects.update(together.compile_together(command, texts, self._engine.build / made, folder))
 
     def close(self):
         for program in self._all:
@@ -346,28 +337,36 @@ def _with(words, **replaced):
     return words
 
 
+def _for_own(words):
+    """The command for a person's text: what is read beyond a vector's end, or before it was written,
+    shall not be right by luck."""
+    words = list(words)
+    if "-MD" in words:  # the list of headers is the project's own
+        first = words.index("-MD")
+        del words[first:first + 5]
+    return [*words, "-O1", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"]
+
+
 def build_with(engine, file, overlay):
     """course_builders with this one source of the overlay: only that is compiled, and takes the
     place of its namesake among the project's objects. Returns the program's path or a Failure."""
     compile_, link, archive, made = _build_steps(engine, file)
-    if "-MD" in compile_:  # the list of headers is the project's own
-        first = compile_.index("-MD")
-        del compile_[first:first + 5]
     own, program = overlay / "own.o", overlay / "course_builders"
+    commands = [_with(_for_own(compile_), o=own, c=overlay / file)]
     if engine.companions:
-        first = compile_.index("-o")
-        compile_[first:first] = ["-include", str(engine.companions.headers(file, compile_))]
+        ahead = engine.companions.objects.get((overlay / file).read_text())
+        own, commands = (ahead, []) if ahead else (own, commands)
     place = link.index(archive)
     link[place:place + 1] = [str(own), str(_without_own(engine.build / archive, made, overlay))]
-    compile_, link = _with(compile_, o=own, c=overlay / file), _with(link, o=program)
-    for command, seen in ((compile_, _headers(engine, compile_)), (link, [engine.build])):
+    link = _with(link, o=program)
+    for command in (*commands, link):
         limits = engine.build_limits
         if engine.is_enclosed:
+            seen = [engine.build] if command is link else _headers(engine, command)
             command, limits = _enclosed(command, limits, seen, lent=[overlay], writable=[overlay],
-                                        hidden=[ROOT / file] if command is compile_ else [],
-                                        folder=overlay if command is compile_ else engine.build)
-        environment = _environment() if engine.is_enclosed else WITHOUT_CACHE if engine.companions else None
-        outcome = sandbox.run(command, limits, environment, engine.build)
+                                        hidden=[] if command is link else [ROOT / file],
+                                        folder=engine.build if command is link else overlay)
+        outcome = sandbox.run(command, limits, _environment() if engine.is_enclosed else None, engine.build)
         bubblewrap.require_start(outcome)
         if outcome.timed_out:
             return Failure("time", "It took too long to compile.")

@@ -51,7 +51,7 @@ def read_own(exercise, folder, chosen=None):
                marks.changed_outside(reference, own, name))
 
 
-def _text_for_compiler(exercise, own):
+def text_for_compiler(exercise, own):
     """C++ can say itself which line of which file it comes from."""
     if exercise.is_shader:
         return own.composed.text
@@ -93,5 +93,5 @@ def overlay(exercise, own, counts_rounds=False):
         if counts_rounds:
             rounds.write_counted(own.composed.text, path, Path(name) / "shaders")
         else:
-            path.write_text(_text_for_compiler(exercise, own))
+            path.write_text(text_for_compiler(exercise, own))
         yield Path(name)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from . import hunt, marks
 from .check import FAILED, PASSED, STATES, ask_own, judge
 from .exercises import ROOT, load
-from .own import Own
+from .own import Own, text_for_compiler
 from .witness import complaint, with_code, witness_in
 
 # A loop that never ends is caught by its time, and C++ that reads beyond its data may crash.
@@ -105,7 +105,7 @@ def _trials(engine, exercise, store):
         yield lambda: _try(engine, exercise, "blank", "the blank fails", region.stub, (FAILED,))
     for style in exercise.styles:
         yield lambda style=style: _try(engine, exercise, "style", style["name"],
-                                       style["code"].strip("\n").split("\n"), (PASSED,), store)
+                                       _code_of(style), (PASSED,), store)
     for mutation in exercise.mutations:
         code = mutated(exercise, mutation)
         if code is None:
@@ -118,20 +118,47 @@ def _trials(engine, exercise, store):
     for answer in exercise.answers:
         expected = (PASSED,) if answer["kind"] == "right" else REJECTED
         yield lambda answer=answer, expected=expected: _try(
-            engine, exercise, answer["kind"], answer["name"], answer["code"].strip("\n").split("\n"),
+            engine, exercise, answer["kind"], answer["name"], _code_of(answer),
             expected, store if answer["kind"] == "right" else None)
 
 
-def _neighbours(engine, exercise, exercises):
-    """With this exercise blank and all others solved, the others of its file still pass."""
+def _neighbour_files(exercise, exercises):
+    """The other exercises of its file, each with the file in which this one is blank."""
     text = (ROOT / exercise.file).read_text()
     own = marks.with_code(text, exercise.file, {exercise.number: hunt.stub_of(exercise)})
     for other in exercises:
         if other.file == exercise.file and other.number != exercise.number:
             composed = marks.compose(text, own, exercise.file, exercise.file, {other.number})
-            result = judge(engine, other, Own(composed, False, exercise.file))
-            yield Finding(exercise.number, "neighbour", f"its blank does not fail {other.number}",
-                          result.state == PASSED, result.state)
+            yield other, Own(composed, False, exercise.file)
+
+
+def _compile_ahead(engine, chosen, exercises):
+    """All versions of each C++ source that will be tried."""
+    texts = {}
+    for exercise in chosen:
+        if exercise.file.endswith(".cpp"):
+            codes = [exercise.region.code, exercise.region.stub,
+                     *(mutated(exercise, mutation) for mutation in exercise.mutations),
+                     *(hunt.planted(exercise, seed) for seed in range(len(exercise.plants))),
+                     *(_code_of(answer) for answer in exercise.answers + exercise.styles)]
+            files = [with_code(exercise, code) for code in codes if code is not None]
+            files += [own for _, own in _neighbour_files(exercise, exercises)]
+            texts.setdefault(exercise.file, []).extend(
+                text_for_compiler(exercise, own) for own in files)
+    for file, versions in texts.items():
+        engine.companions.compile(file, versions)
+
+
+def _code_of(answer):
+    return answer["code"].strip("\n").split("\n")
+
+
+def _neighbours(engine, exercise, exercises):
+    """With this exercise blank and all others solved, the others of its file still pass."""
+    for other, own in _neighbour_files(exercise, exercises):
+        result = judge(engine, other, own)
+        yield Finding(exercise.number, "neighbour", f"its blank does not fail {other.number}",
+                      result.state == PASSED, result.state)
 
 
 def verify(engine, chosen, store, workers, say):
@@ -145,6 +172,7 @@ def verify(engine, chosen, store, workers, say):
                                 not lacks, f"lacks {lacks}" if lacks else ""))
     for finding in findings:
         say(finding)
+    _compile_ahead(engine, chosen, exercises)
     trials = [trial for exercise in chosen for trial in _trials(engine, exercise, store)]
     trials += [lambda exercise=exercise: list(_neighbours(engine, exercise, exercises))
                for exercise in chosen]

@@ -46,13 +46,34 @@ Ray random_numbers(std::mt19937& generator) {
     return {{a, b, c}, {d, e, f}, g, h};
 }
 
-// Of the first `numbers.rounds` numbers.
+int number_named(const CourseQuestion& question, const std::string& name, int otherwise) {
+    const auto named = question.numbers.find(name);
+    return named == question.numbers.end() ? otherwise : named->second;
+}
+
+// What a float leaves of the number: 0 where it is one.
+std::uint32_t rest_bits(double number) {
+    return bits(number - static_cast<double>(static_cast<float>(number)));
+}
+
+// A range as numbers, and what floats leave of them.
+Found found_of(const MeasuredRange& range) {
+    return {bits(range.median),      bits(range.lowest),      bits(range.highest),
+            rest_bits(range.median), rest_bits(range.lowest), rest_bits(range.highest)};
+}
+
+// Of the first `numbers.rounds` numbers. Where there are more rounds than numbers, the numbers come
+// again, a hair aside that no float holds.
 Found range_of_rounds(const CourseQuestion& question, const Ray& ray) {
+    constexpr double hair = 0x1p-40;
     const Numbers numbers = numbers_of(ray);
-    const std::vector<double> rounds(numbers.begin(),
-                                     numbers.begin() + question.numbers.at("rounds"));
-    const MeasuredRange range = measured_range(rounds);
-    return {bits(range.median), bits(range.lowest), bits(range.highest), 0};
+    std::vector<double> rounds;
+    for (int i = 0; i < question.numbers.at("rounds"); ++i) {
+        const auto count = static_cast<int>(numbers.size());
+        const int aside = i < count ? 0 : i * 5 % 17 - 8;
+        rounds.push_back(numbers[static_cast<std::size_t>(i % count)] + hair * aside);
+    }
+    return found_of(measured_range(rounds));
 }
 
 // Three numbers from `first` on, in their order, as a range.
@@ -63,24 +84,42 @@ MeasuredRange range_from(const Ray& ray, std::size_t first) {
     return {.median = three[1], .lowest = three[0], .highest = three[2]};
 }
 
-// Of two ranges, both ways.
-Found surely_below(const CourseQuestion& /*question*/, const Ray& ray) {
-    const MeasuredRange first = range_from(ray, 0);
-    const MeasuredRange second = range_from(ray, 3);
-    return {lies_below(first, second) ? 1U : 0U, lies_below(second, first) ? 1U : 0U, 0, 0};
+double moved_by_places(double number, double places) {
+    const double goal = places < 0.0 ? -std::numeric_limits<double>::infinity()
+                                     : std::numeric_limits<double>::infinity();
+    for (int left = static_cast<int>(std::abs(places)); left > 0; --left) {
+        number = std::nextafter(number, goal);
+    }
+    return number;
 }
 
-// Of four pairs of a number of triangles and a cost; no number where the function refuses them.
-Found growth(const CourseQuestion& /*question*/, const Ray& ray) {
+// Of two ranges, both ways. With `numbers.places` the last two numbers move the end of the first
+// and the start of the second by units in the last place.
+Found surely_below(const CourseQuestion& question, const Ray& ray) {
+    MeasuredRange first = range_from(ray, 0);
+    MeasuredRange second = range_from(ray, 3);
+    if (number_named(question, "places", 0) != 0) {
+        first.highest = moved_by_places(first.highest, numbers_of(ray)[6]);
+        second.lowest = moved_by_places(second.lowest, numbers_of(ray)[7]);
+    }
+    return {lies_below(first, second) ? 1U : 0U, lies_below(second, first) ? 1U : 0U};
+}
+
+// Of `numbers.scenes` pairs of a number of triangles, over `numbers.base`, and a cost, so many
+// `numbers.copies` of each; no number where the function refuses them.
+Found growth(const CourseQuestion& question, const Ray& ray) {
     const Numbers numbers = numbers_of(ray);
+    const auto scenes = static_cast<std::size_t>(number_named(question, "scenes", 4));
     std::vector<GrowthPoint> points;
-    for (std::size_t i = 0; i < numbers.size(); i += 2) {
-        points.push_back({numbers[i], numbers[i + 1]});
+    for (int copy = 0; copy < number_named(question, "copies", 1); ++copy) {
+        for (std::size_t i = 0; i < 2 * scenes; i += 2) {
+            points.push_back({number_named(question, "base", 0) + numbers[i], numbers[i + 1]});
+        }
     }
     try {
-        return {bits(growth_exponent(points)), 0, 0, 0};
+        return {bits(growth_exponent(points))};
     } catch (const InputError&) {
-        return {bits(std::numeric_limits<double>::quiet_NaN()), 0, 0, 0};
+        return {bits(std::numeric_limits<double>::quiet_NaN())};
     }
 }
 
@@ -203,19 +242,23 @@ std::vector<Found> effects_of_scene(const CourseQuestion& question, const Ray& r
     return found;
 }
 
-// Of two contenders in three rounds each, by processor time. By the clock the rounds took as long
-// in another order, so that nobody takes one for the other.
-Found ratio_of_speeds(const CourseQuestion& /*question*/, const Ray& ray) {
+// Of two contenders in three rounds each or in `numbers.rounds`, by processor time, or with
+// `numbers.clock` by the clock. By the clock the rounds took as long in another order, so that
+// nobody takes one for the other.
+Found ratio_of_speeds(const CourseQuestion& question, const Ray& ray) {
     const Numbers numbers = numbers_of(ray);
+    const auto rounds = static_cast<std::size_t>(number_named(question, "rounds", 3));
     ContestTimes ours{"ours", {}};
     ContestTimes theirs{"theirs", {}};
-    for (std::size_t round = 0; round < 3; ++round) {
+    for (std::size_t round = 0; round < rounds; ++round) {
         ours.rounds.push_back({.clock = 1.0 + numbers[(round + 1) % 3], .cpu = numbers[round]});
         theirs.rounds.push_back(
             {.clock = 1.0 + numbers[3 + (round + 1) % 3], .cpu = numbers[3 + round]});
     }
-    const MeasuredRange ratio = speed_ratio(ours, numbers[6], theirs, numbers[7], &Seconds::cpu);
-    return {bits(ratio.median), bits(ratio.lowest), bits(ratio.highest), 0};
+    const bool by_clock = number_named(question, "clock", 0) != 0;
+    const MeasuredRange ratio = speed_ratio(ours, numbers[6], theirs, numbers[7],
+                                            by_clock ? &Seconds::clock : &Seconds::cpu);
+    return {bits(ratio.median), bits(ratio.lowest), bits(ratio.highest)};
 }
 
 // A box with the lower corner 0, split along x. The first three numbers are its sides, then come a
