@@ -12,7 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
+#include <limits>
 
 namespace raysteps {
 
@@ -197,6 +197,47 @@ void write_ray_file(const std::filesystem::path& path, std::span<const Ray> rays
 
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits) {
     write_list(path, "t,u,v,triangle\n", hits);
+}
+
+std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, most_bytes);
+    if (!is_csv(path)) {
+        if (bytes.size() % sizeof(Hit) != 0) {
+            throw InputError(path.string() + ": the file has " + std::to_string(bytes.size()) +
+                             " bytes, but a hit has 16 (t, u, v as float32, the triangle as "
+                             "int32). Check how it was written.");
+        }
+        std::vector<Hit> hits(bytes.size() / sizeof(Hit));
+        if (!bytes.empty()) {
+            std::memcpy(hits.data(), bytes.data(), bytes.size());
+        }
+        return hits;
+    }
+    std::vector<Hit> hits;
+    std::string_view text = bytes;
+    for (int number = 1; !text.empty(); ++number) {
+        const auto end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        const std::vector<std::string_view> cells = split_cells(line);
+        if (number == 1 || trim(line).empty()) {
+            if (number == 1 && cells != std::vector<std::string_view>{"t", "u", "v", "triangle"}) {
+                fail(path, 1, "the first line names the columns: t,u,v,triangle.");
+            }
+            continue;
+        }
+        const auto triangle = parse_number<int>(cells.back());
+        std::array<float, 3> numbers{};
+        for (std::size_t i = 0; cells.size() == 4 && i < numbers.size(); ++i) {
+            numbers[i] =
+                parse_number<float>(cells[i]).value_or(std::numeric_limits<float>::quiet_NaN());
+        }
+        if (cells.size() != 4 || !triangle) {
+            fail(path, number, "a line has t, u, v and the number of a triangle, or -1.");
+        }
+        hits.push_back({numbers[0], numbers[1], numbers[2], *triangle});
+    }
+    return hits;
 }
 
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path) {

@@ -38,6 +38,10 @@ void write_ray_file(const std::filesystem::path& path, std::span<const Ray> rays
 // little-endian float32 and the triangle as int32, -1 for none. Throws InputError.
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits);
 
+// Hits that anybody wrote in these forms. Throws InputError that names the file and the hit or
+// line.
+std::vector<Hit> read_hit_file(const std::filesystem::path& path);
+
 // Rays from the text of a .csv file; the path is named where it is wrong. Throws InputError.
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path);
 
