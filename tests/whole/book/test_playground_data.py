@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from support import ROOT
-from playground.data import ENDINGS, PAGE, PROGRAM, SCENES, pack_scene, packed_scene, scene_file
+from playground.data import ENDINGS, PAGE, PROGRAM, SCENES, pack_scene, packed_in, scene_file
 
 BUILD = Path(os.environ.get("RAYSTEPS_BOOK", ROOT / "build" / "default" / "book")).parent
 DATA = ROOT / PAGE / "data"
@@ -29,7 +29,7 @@ class PlaygroundData(unittest.TestCase):
         self.assertTrue((BUILD / PROGRAM).exists(), REPAIR)
         for name in SCENES:
             with self.subTest(scene=name):
-                kept = packed_scene((DATA / scene_file(name)).read_text())
+                kept = packed_in((DATA / scene_file(name)).read_text())
                 self.assertTrue(kept == pack_scene(BUILD, name), f"{name}: {REPAIR}")
 
     def test_the_page_names_all_data_and_nothing_else_and_is_small(self):
