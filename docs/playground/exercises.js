@@ -34,8 +34,13 @@
     }
   }
 
-  select.addEventListener("change", () => { location.hash = `exercise=${select.value}`; });
-  addEventListener("hashchange", show);
-  play.workbook.watch(list);
-  show();
+  async function begin() {
+    await play.loadAll();
+    select.addEventListener("change", () => { location.hash = `exercise=${select.value}`; });
+    addEventListener("hashchange", show);
+    play.workbook.watch(list);
+    show();
+  }
+
+  begin().catch((error) => { place.textContent = error.message; });
 })();
