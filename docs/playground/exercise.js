@@ -62,6 +62,9 @@
       figures.append(element("figure", {}, canvas, element("figcaption", {}, name === "difference" ? "difference, in orange" : name)));
       return [name, canvas];
     }));
+    const view = element("select", { onchange: () => { run.choices.view = view.value; draw(); } },
+      ...play.viewNames().map((name) => new Option(name, name, false, name === exercise.picture.view)));
+    const choice = element("label", { className: "view", hidden: true }, "Picture of ", view);
     const seen = element("p", { className: "seen" });
     seen.setAttribute("role", "status");
     const opener = element("input", { type: "file", accept: ".glsl,.frag,.vert", hidden: true });
@@ -74,7 +77,7 @@
       button("Open", "a file of a workbook", () => opener.click()), opener);
     const box = element("section", { className: "exercise" }, element("header", {}, title, state), ...exercise.task.split(/\n\n+/).map(paragraph),
       ...exercise.formulas.map((formula) => element("p", { className: "formula" }, formula)), hintsOf(exercise),
-      element("p", { className: "source" }, `${file}. Source: ${exercise.source}`), bar, editorPlace, said, figures, seen);
+      element("p", { className: "source" }, `${file}. Source: ${exercise.source}`), bar, editorPlace, said, choice, figures, seen);
     box.ariaLabel = `Exercise ${number}`;
     parent.append(box);
     const editor = play.openEditor(editorPlace, { label: `Your lines of exercise ${number}`, onChange: changed, onRun: check });
@@ -159,7 +162,7 @@
       try {
         const wanted = Object.keys(play.regions(play.files[exercise.path], file));
         const found = Object.keys(play.regions(text, given.name));
-        const missing = wanted.filter((each) => !found.includes(each));
+        const missing = wanted.filter((each) => !found.includes(each)).sort();
         if (missing.length) {
           say(`${given.name}: it has no exercise ${missing.join(", ")}, so it is no ${file} of a workbook. Open the file of that name.`);
           return;
@@ -250,7 +253,7 @@
         if (outcome.sentence) seen.textContent = outcome.sentence;
         return;
       }
-      figures.hidden = false;
+      figures.hidden = choice.hidden = false;
       figures.classList.remove("old");
       const { mine, right, difference, rays, stopped } = outcome;
       play.show(canvases.yours, mine.pixels);
@@ -260,6 +263,7 @@
       const differing = difference?.differing ?? 0;
       seen.textContent = stopped ? stopped.sentence : differing === 0 ? "The picture has the bits of the project's in every pixel."
         : `${differing.toLocaleString("en")} of ${rays.toLocaleString("en")} pixels differ from the project's, first at (${difference.first.x}, ${difference.first.y}).`;
+      if (mine.legend) seen.textContent += ` The lightest colour: ${mine.legend.upper} and more ${mine.legend.title}.`;
       canvases.yours.ariaLabel = `${exercise.picture.scene} by your text. ${seen.textContent}`;
       canvases.right.ariaLabel = `${exercise.picture.scene} by the project's text`;
       canvases.difference.ariaLabel = `Where they differ: ${seen.textContent}`;

@@ -55,7 +55,8 @@ class PlaygroundExercises(unittest.TestCase):
         self.wait_for(f"return document.body.dataset.exercise === '{number}'")
 
     def wait_for(self, script, seconds=60):
-        for _ in range(seconds * 20):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
             if self.browser.execute_script(script):
                 return
             time.sleep(0.05)
@@ -115,8 +116,8 @@ class PlaygroundExercises(unittest.TestCase):
         self.assertRegex(told, r"origin +\S+, \S+, \S+   \(hex [0-9a-f]{8} [0-9a-f]{8} [0-9a-f]{8}\)")
         self.assertRegex(told, r"node +expected -?\d+, got -?\d+  <-- wrong")
         self.assertIn("./course check 6.2 --ray=", told)
-        self.write("    node = here.skip;")
-        self.assertIn("the ray meets the root, and its near child lies next", self.check())
+        self.write("    node = node + 1;")
+        self.assertIn("the ray does not meet the root, and there is nothing behind it", self.check())
         self.write("\n".join(exercise.region.code))
         self.assertIn("6.2 Into a branch or past it: passed", self.check())
 
@@ -161,7 +162,7 @@ class PlaygroundExercises(unittest.TestCase):
             other = Path(folder) / "other.glsl"
             other.write_text("nothing\n")
             self.browser.find_element("css selector", "input[type=file]").send_keys(str(other))
-            self.wait_for("return document.querySelector('.said').textContent.includes('no exercise 4.1')")
+            self.wait_for("return document.querySelector('.said').textContent.includes('no exercise 4.1, 4.2, 4.3')")
             self.assertEqual(self.shown(), "\n".join(exercise.region.code))
 
     def test_a_text_is_there_after_a_reload_and_in_the_whole_file(self):
@@ -174,8 +175,22 @@ class PlaygroundExercises(unittest.TestCase):
         self.assertIn("//# exercise 5.2", self.shown())
         self.assertIn("// mine", self.shown())
 
+    def test_a_lesson_loads_an_exercise_only_when_it_comes_near(self):
+        with tempfile.TemporaryDirectory(prefix="raysteps_lesson_") as folder:
+            page = Path(folder) / "lesson.html"
+            page.write_text(f'<!doctype html><script defer src="{(ROOT / PAGE / "load.js").as_uri()}"></script>'
+                            '<div style="height: 9000px"></div><div class="play" data-play="2.4"></div>')
+            self.browser.get(page.as_uri())
+            self.addCleanup(self.browser.execute_script, "localStorage.clear()")
+            time.sleep(0.5)
+            self.assertEqual(self.browser.execute_script("return document.scripts.length"), 1)
+            self.browser.execute_script("scrollTo(0, document.body.scrollHeight)")
+            self.wait_for("return document.querySelector('.play').dataset.state === 'shown'")
+            self.write("    return true;")
+            self.assertIn("2.4 Which of two hits wins: failed", self.check())
+
     def test_the_picture_says_how_many_pixels_differ_and_nothing_is_wider_than_a_phone(self):
-        self.open("6.1")
+        self.open("6.2")
         self.wait_for("return /pixels differ/.test(document.querySelector('.seen').textContent)")
         self.check()
         try:
