@@ -32,7 +32,7 @@
   const paragraph = (text) => element("p", {}, ...text.split("`").map((piece, i) => (i % 2 ? element("code", {}, piece) : piece)));
 
   function hintsOf(exercise) {
-    return exercise.hints.reduceRight((inner, hint, i) => element("details", { className: "hint" },
+    return exercise.hints.reduceRight((inner, hint, i) => element("details", { className: "level" },
       element("summary", {}, `Hint ${i + 1}`), paragraph(hint), ...(inner ? [inner] : [])), null);
   }
 
