@@ -12,9 +12,11 @@ import html
 import json
 import re
 
+from playground.exercises import shader_exercises
+
 from .cut_code import cut
 from .errors import BookError
-from .lists import LISTS, course_exercises
+from .lists import LISTS
 
 DIRECTIVE = re.compile(r"^<!-- (code|output|walk|list|play): (.+?) -->\s*$")
 LANGUAGES = {".glsl": "glsl", ".frag": "glsl", ".vert": "glsl", ".inc": "cpp", ".h": "cpp",
@@ -85,8 +87,8 @@ def _list(name, links, page):
 
 
 def _play(number, links, _page):
-    exercise = next((each for each in course_exercises(links.root) if each.number == number), None)
-    if exercise is None or not exercise.is_shader:
+    exercise = next((each for each in shader_exercises(links.root) if each.number == number), None)
+    if exercise is None:
         raise BookError(f"{number} is no exercise in a shader. Name one of exercises.toml.")
     return [f'<div class="play" data-play="{number}">',
             f'<p><a href="playground/exercises.html#exercise={number}">{number} {html.escape(exercise.title)}: write it in the '

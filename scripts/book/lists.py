@@ -7,7 +7,7 @@ from . import drawings_zip, plans
 from .contents import chapters, title_of
 
 
-def course_exercises(root):
+def _course_exercises(root):
     sys.path.insert(0, str(root / "scripts"))
     from course import exercises
     return exercises.load(root)
@@ -17,7 +17,7 @@ def exercises(links, _page):
     """Every exercise: a row each, by chapter."""
     lines = ["| exercise | what is to be written | in | points |", "| --- | --- | --- | --- |"]
     points = 0
-    for exercise in course_exercises(links.root):
+    for exercise in _course_exercises(links.root):
         language = "GLSL" if exercise.is_shader else "C++"
         lines.append(f"| {exercise.number} | {exercise.title} | {language} | 1 |")
         points += 1

@@ -21,7 +21,8 @@ ASKED = ("kind", "subject", "triangle", "structure", "steps", "width", "height",
 
 
 def shader_exercises(root):
-    return [exercise for exercise in load(root) if exercise.is_shader]
+    """Those whose lines stand in a shader of the project, with a stub in their place."""
+    return [exercise for exercise in load(root) if exercise.file.startswith("shaders/") and exercise.region.stub]
 
 
 def chapter_file(chapter):

@@ -13,8 +13,9 @@ from book.directives import carry_out, directives_in, output_file, shown_command
 from book.errors import BookError
 from book.figures import TABLE
 from book.links import Links
-from book.lists import course_exercises, family_name, items, section, work
+from book.lists import family_name, items, section, work
 from book.pages import make_page
+from playground.exercises import shader_exercises
 
 PAGE = Path("chapters/04_a/README.md")
 
@@ -128,8 +129,7 @@ class Pages(FolderTest):
         links = Links(ROOT, self.folder, [], self.folder)
         for lesson in sorted((ROOT / "chapters").glob("0[1-6]_*/README.md")):
             played = [words for kind, words in directives_in(lesson.read_text()) if kind == "play"]
-            wanted = [exercise.number for exercise in course_exercises(ROOT)
-                      if exercise.is_shader and exercise.chapter == lesson.parent.name]
+            wanted = [exercise.number for exercise in shader_exercises(ROOT) if exercise.chapter == lesson.parent.name]
             self.assertEqual(sorted(played), sorted(wanted))
             for number in played:
                 self.assertIn(f'data-play="{number}"', "".join(carry_out(f"<!-- play: {number} -->", links, None)))

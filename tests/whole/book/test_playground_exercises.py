@@ -12,12 +12,12 @@ from browser import STORE, leave_without, start_browser
 from support import ROOT
 from test_playground import RUN
 from course import marks, verify
-from course.exercises import load
 from playground.data import PAGE
+from playground.exercises import shader_exercises
 
 ADDRESS = (ROOT / PAGE / "exercises.html").as_uri()
 ALL = "RAYSTEPS_LONG" in os.environ  # every mistake, and not the first of each exercise
-EXERCISES = [exercise for exercise in load() if exercise.is_shader]
+EXERCISES = shader_exercises(ROOT)
 
 # Each trial's lines in the place of the solution; what the page comes to.
 JUDGE = """
