@@ -18,7 +18,7 @@ from selenium.webdriver.common.keys import Keys
 from browser import STORE, leave_without, start_browser
 from support import ROOT
 from book.serve import make_server
-from playground.data import PAGE, packed_scene, scene_file
+from playground.data import PAGE, packed_in, scene_file
 
 PROGRAM = STORE.parent / "chapters" / "06_bvh" / "06_bvh"
 RAYS = 16384
@@ -85,7 +85,7 @@ return differing;
 
 def corners_of(name):
     """The corners of a scene's triangles, three numbers each, as the page has them."""
-    packed = packed_scene((ROOT / PAGE / "data" / scene_file(name)).read_text())
+    packed = packed_in((ROOT / PAGE / "data" / scene_file(name)).read_text())
     length = struct.unpack("<I", packed[:4])[0]
     entry = next(each for each in json.loads(packed[4:4 + length])["arrays"] if each["name"] == "triangle_corners")
     numbers = array.array("f", packed[4 + length + entry["start"]:][:entry["bytes"]])
