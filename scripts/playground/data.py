@@ -15,7 +15,7 @@ from .exercises import chapter_file, list_script, pack_chapters, shader_exercise
 PAGE = "docs/playground"
 PROGRAM = "scripts/playground/playground_scene"
 PROGRAMS = (PROGRAM, "scripts/course/answers/course_shaders")
-SCENES = ("knot:1", "mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
+SCENES = ("mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
 LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
 ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
 ENDINGS = (".glsl", ".frag", ".vert")

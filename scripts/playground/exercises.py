@@ -119,7 +119,7 @@ def _picture(exercise):
     asked = next((question for question in questions if question["kind"] == "picture"), questions[0])
     walk = asked.get("structure", "every_triangle")
     return {"walk": walk, "triangle": asked.get("triangle", "watertight"), "view": "normals",
-            "scene": "tetrahedron:2" if walk == "every_triangle" else "knot:1"}
+            "scene": "tetrahedron:2" if walk == "every_triangle" else "mirrors"}
 
 
 def pack_chapter(root, engine, chapter, exercises):

@@ -1,6 +1,6 @@
 // A link says all that a reader sees: scene, walk, triangle test, view, pixel, step and edited texts. It lies in the hash, so no
 // server hears of it. `check` comes first and covers the rest: a link that was cut off does not pass for another one. One that
-// is written by hand, without texts, needs no check: #scene=knot:1&walk=grid
+// is written by hand, without texts, needs no check: #scene=cornell_box&walk=grid
 //
 //   await play.writeLink(state)       the hash, from # on; throws PlayError where it would be too long
 //   await play.readLink(hash, known)  the state; null where there is no link; throws PlayError, with one sentence

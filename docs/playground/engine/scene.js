@@ -5,7 +5,7 @@
 //   await play.loadScript("data/scene_bunny.js")   a script of the playground's folder
 //   await play.unzip(base64)          the bytes; play.unpackScene(bytes) makes a scene of them
 //   play.sceneNames()                 of all that were added or offered
-//   await play.openScene("knot:1")    a scene:
+//   await play.openScene("mirrors")   a scene:
 //     {scene, scene_hash, triangles, view, middle_distance, background, reach,
 //      arrays: {uniform: {kind, texels, data}}, families: {name: {arrays, points, counts, numbers, longest_walk}}}
 //   play.familyOf(scene, "bvh_skip")  the structure that serves a walk

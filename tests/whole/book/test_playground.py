@@ -22,7 +22,7 @@ from playground.data import PAGE, packed_in, scene_file
 
 PROGRAM = STORE.parent / "chapters" / "06_bvh" / "06_bvh"
 RAYS = 16384
-SCENE = "knot:1"
+SCENE = "mirrors"
 ADDRESS = (ROOT / PAGE / "index.html").as_uri()
 
 # Runs the body of an asynchronous function in the page, and gives what it returns.

@@ -23,7 +23,7 @@ COMPARE = STORE.parent / "chapters" / "07_compare" / "07_compare"
 FOLLOW = """
 const { play } = Raysteps;
 const gpu = globalThis.testGpu ??= play.openGpu();
-const scene = await play.openScene("knot:1");
+const scene = await play.openScene("mirrors");
 const size = 64;
 const rays = play.cameraRays(gpu, scene, size);
 const faults = [];
@@ -82,7 +82,7 @@ class Links(PlaygroundTest):
 
     def test_a_link_brings_back_all_that_was_seen_and_leaves_the_readers_own_texts_alone(self):
         self.open()
-        for name, value in (("scene", "knot:1"), ("walk", "bvh_skip"), ("view", "visits"), ("size", "128")):
+        for name, value in (("scene", "cornell_box"), ("walk", "bvh_skip"), ("view", "visits"), ("size", "128")):
             self.choose(name, value)
             self.wait_for("picture")
         self.type_over("observe_visit(node);", "observe_visit(node); // \u00fcber <b>all</b> & more")
