@@ -20,6 +20,7 @@ from .exercises import ROOT
 
 BUILD = ROOT / "build" / "default"
 STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
+MOST_OF_BUILDERS = 768 << 20  # bytes of memory
 
 
 @dataclass
@@ -190,15 +191,18 @@ def ask(engine, program, chapter, questions, overlay=None):
     """A list of Answer, one a question, or a Failure."""
     if engine.companions and program == engine.shaders_program():
         return _ask_companion(engine, chapter, questions, overlay)
+    limits = engine.limits
+    if program != engine.shaders_program():  # no renderer: what takes so much does not end
+        limits = replace(limits, memory_bytes=limits.memory_bytes and MOST_OF_BUILDERS)
     with tempfile.TemporaryDirectory(prefix="raysteps_course_") as name:
         scratch = Path(name)
         (scratch / "job.json").write_text(json.dumps({"questions": questions}))
         environment = {**_environment(scratch), "MESA_SHADER_CACHE_DISABLE": "true",
                        "RAYSTEPS_SHADERS": _shaders(chapter, overlay)}
         outcome = sandbox.run([program, scratch / "job.json", scratch / "answers.json"],
-                              engine.limits, environment, scratch)
+                              limits, environment, scratch)
         if outcome.code != 0 or outcome.timed_out:
-            return _failure(outcome, engine.limits)
+            return _failure(outcome, limits)
         return _read_answers(scratch / "answers.json", len(questions))
 
 
