@@ -239,9 +239,10 @@
   }
   const allRight = (values) => values.every(({ right }) => right);
 
-  function firstUnknown(checkpoint, answer) {
+  function firstUnknown(checkpoint, answer, apart) {
     const places = checkpoint.values.map((_, i) => i);
     for (const { step, index, expected, because } of checkpoint.known) {
+      if (apart.has(index)) continue;
       const values = judged(checkpoint, checkpoint.values, places,
         (_, kind, i) => (isFloat(kind) ? fromBits(expected[i]) : expected[i]), (k) => answer.found(step, index, k));
       if (!allRight(values)) return { index, step, ray: rayOf(checkpoint, index), values, because };
@@ -249,7 +250,7 @@
     return null;
   }
 
-  function firstWrong(checkpoint, answer) {
+  function* wrongAnswers(checkpoint, answer) {
     const seen = checkpoint.kind === "checkpoint" && checkpoint.observed && checkpoint.words > firstObserved ? observed : [];
     const names = [...checkpoint.values, ...seen];
     const places = names.map((_, i) => (i < checkpoint.values.length ? i : firstObserved + i - checkpoint.values.length));
@@ -257,10 +258,29 @@
       for (let index = 0; index < checkpoint.count; ++index) {
         const values = judged(checkpoint, names, places,
           (k, kind) => valueOf(checkpoint.answers[step - 1][k * checkpoint.count + index], kind), (k) => answer.found(step, index, k));
-        if (!allRight(values)) return { index, step, ray: rayOf(checkpoint, index), values, because: "" };
+        if (!allRight(values)) yield { index, step, ray: rayOf(checkpoint, index), values, because: "" };
       }
     }
+  }
+
+  function firstWrong(checkpoint, answer, apart) {
+    for (const wrong of wrongAnswers(checkpoint, answer)) {
+      if (!apart.has(wrong.index)) return wrong;
+    }
     return null;
+  }
+
+  const ask = (gpu, exercise, checkpoint, edits, signal) => (checkpoint.kind === "rays" ? askRays(gpu, checkpoint, edits)
+    : askCheckpoint(gpu, exercise, checkpoint, edits, signal));
+
+  // The rays to which the project's own lines answer otherwise on this GPU than in C++, since GLSL leaves it free what comes of a NaN
+  // and of numbers beyond the greatest: nobody's lines are judged by these.
+  async function raysApart(gpu, exercise, checkpoint, signal) {
+    if (!checkpoint.apart) {
+      const own = await ask(gpu, exercise, checkpoint, {}, signal);
+      checkpoint.apart = new Set(own.stopped ? [] : [...wrongAnswers(checkpoint, own)].map(({ index }) => index));
+    }
+    return checkpoint.apart;
   }
 
   function compileFault(result, exercise, composed, errors) {
@@ -293,13 +313,20 @@
     for (const checkpoint of exercise.checkpoints) {
       let answer;
       try {
-        answer = checkpoint.kind === "rays" ? askRays(gpu, checkpoint, edits) : await askCheckpoint(gpu, exercise, checkpoint, edits, signal);
+        answer = await ask(gpu, exercise, checkpoint, edits, signal);
       } catch (error) {
         if (error instanceof play.CompileError) return compileFault(result, exercise, composed, error.errors);
         throw error;
       }
       if (answer.stopped) return endless(result, exercise, composed, checkpoint, answer.stopped);
-      const wrong = firstUnknown(checkpoint, answer) ?? firstWrong(checkpoint, answer);
+      let wrong = firstUnknown(checkpoint, answer, new Set()) ?? firstWrong(checkpoint, answer, new Set());
+      if (wrong) {
+        const apart = await raysApart(gpu, exercise, checkpoint, signal);
+        wrong = firstUnknown(checkpoint, answer, apart) ?? firstWrong(checkpoint, answer, apart);
+        if (!wrong) {
+          result.message += `${result.message ? "\n" : ""}${apart.size} of ${checkpoint.count} rays of \`${checkpoint.name}\` were left out: to them this GPU answers the project's own lines otherwise than C++ does.`;
+        }
+      }
       if (wrong) return Object.assign(result, { state: "failed", checkpoint, wrong });
       result.right.push(checkpoint.name);
     }

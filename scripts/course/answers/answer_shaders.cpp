@@ -144,9 +144,15 @@ std::vector<BufferTexture> give(Program& program, const CourseQuestion& question
     return empty;
 }
 
-Program& program_of(const std::string& pass, Parts parts, KeptProgram& kept) {
+// A program is kept for questions that set the same uniforms: what one leaves out has its initial
+// value.
+Program& program_of(const std::string& pass, Parts parts, const CourseQuestion& question,
+                    KeptProgram& kept) {
     parts.try_emplace("real", "real/float.glsl");
     std::string text = read_shader(pass, parts).text;
+    for (const auto& [name, number] : question.numbers) {
+        text += "\n" + name;
+    }
     if (!kept.program || kept.text != text) {
         kept.program.reset();
         kept.program.emplace(pass, parts);
@@ -166,8 +172,8 @@ Answer answer_checkpoint(const CourseQuestion& question, KeptProgram& kept) {
         of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
     parts["checkpoint"] = question.subject;
     parts["observer"] = question.observer;
-    Program& program =
-        program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts, kept);
+    Program& program = program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts,
+                                  question, kept);
     const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
     const auto texture = [&rays] {
         return Texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
