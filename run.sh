@@ -51,6 +51,12 @@ elif [ $# -gt 0 ]; then
   shift
 fi
 
+# What a script says of itself needs no program.
+if [[ " $* " =~ " --help " || " $* " =~ " -h " ]]; then
+  [ $kind != book ] || exec python3 -B scripts/book serve --help
+  [ -z "$shrink" ] || exec python3 -B scripts/shrink --help
+fi
+
 set_up $kind $install
 # Tests are configured where they can be built, and never built here.
 tests=$(can_test && echo ON || echo OFF)
