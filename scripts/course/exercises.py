@@ -49,8 +49,8 @@ class Exercise:
     hints: list
     checkpoints: list
     mutations: list
-    styles: list = field(default_factory=list)  # right answers of another form: {name, code}
     plants: list = field(default_factory=list)  # of a hunt: mistakes, of which a seed chooses one
+    hunted: str = "mistake"  # what they show as: a spot, a leak
     minutes: int = 20  # that it takes
     experiment: dict = field(default_factory=dict)  # {arguments, figure, tolerance}: what is measured
     replaces: str = ""  # the shader that the file stands for in a check, where that is another
@@ -117,8 +117,8 @@ def _exercise(table, chapter, place):
     checkpoints = [_checkpoint(entry, place) for entry in table.get("checkpoint", [])]
     return Exercise(table["number"], table["title"], table["file"], chapter, table["task"].strip(),
                     table.get("formulas", []), table.get("source", ""), table["hints"],
-                    checkpoints, table.get("mutation", []), table.get("style", []),
-                    table.get("plant", []), table.get("minutes", 20), table.get("experiment", {}),
+                    checkpoints, table.get("mutation", []), table.get("plant", []),
+                    table.get("hunted", "mistake"), table.get("minutes", 20), table.get("experiment", {}),
                     table.get("replaces", ""))
 
 
