@@ -235,7 +235,7 @@ def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
         for asked in _rounds(engine, exercise, len(questions)):
             answers = ask(questions[asked])
             if isinstance(answers, engines.Failure):
-                if not exercise.is_shader:
+                if not exercise.is_shader and engine.companions is None:
                     _find_failure(engine, result, ask, checkpoints, questions, reference)
                 return _failed(result, answers, own)
             _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)
