@@ -78,10 +78,10 @@ def ensure_programs(engine, programs):
     print("course: building what checks, which takes a minute or more the first time (see "
           "build/course/build.log)", file=sys.stderr)
     STORE.mkdir(parents=True, exist_ok=True)
-    tests = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF"]
+    first = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF", "-DRAYSTEPS_PRECOMPILED=ON"]
     targets = [program.name for program in old]
     with locked(STORE / "build.lock"), open(STORE / "build.log", "w") as log:
-        for command in (["cmake", "--preset", "default", *tests],
+        for command in (["cmake", "--preset", "default", *first],
                         ["cmake", "--build", "--preset", "default", "--target", *targets]):
             if _run_with_progress(command, log) != 0:
                 raise MachineError(f"`{' '.join(command)}` failed. Read build/course/build.log.")
@@ -378,6 +378,9 @@ def _for_own(words):
     if "-MD" in words:  # the list of headers is the project's own
         first = words.index("-MD")
         del words[first:first + 5]
+    if "-Winvalid-pch" in words:  # headers that were read ahead, for other options
+        first = words.index("-Winvalid-pch")
+        del words[first:first + 3]
     return [*words, "-O1", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"]
 
 
