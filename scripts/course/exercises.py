@@ -1,6 +1,7 @@
 """The exercises, as the files chapters/*/exercises.toml and the marks in the sources have them."""
 
 import struct
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -155,6 +156,11 @@ def load(root=ROOT):
         if unknown:
             raise CourseError(f"{place.with_name('answers.toml')}: {min(unknown)} is no exercise of "
                               f"{place}. Put its number right.")
+        chapter, counts = int(path.parent.name[:2]), Counter(exercise.number for exercise in found)
+        for number, count in counts.items():
+            if count > 1 or int(number.split(".")[0]) != chapter:
+                raise CourseError(f"{place}: {number} is there twice, or is none of chapter {chapter}. "
+                                  f"Number them {chapter}.1, {chapter}.2, and so on.")
         for exercise in found:
             exercise.answers = answers.get(exercise.number, [])
             if exercise.file not in texts:
