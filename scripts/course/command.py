@@ -335,7 +335,7 @@ def grade_all(options):
 
 
 def verify_all(options):
-    chosen = catalog.select(catalog.load(), options.which)
+    chosen = catalog.select(catalog.load(with_answers=True), options.which)
     engine = _engine(options, chosen)
 
     def say(finding):

@@ -140,8 +140,9 @@ def _answers(path, place):
     return by_number
 
 
-def load(root=ROOT):
-    """All exercises in the order of their numbers, with their regions in the sources."""
+def load(root=ROOT, with_answers=False):
+    """All exercises in the order of their numbers, with their regions in the sources; with what students
+    wrote where that is asked for."""
     exercises, texts = [], {}
     for path in sorted((root / "chapters").glob("[0-9][0-9]_*/exercises.toml")):
         place = path.relative_to(root)
@@ -151,10 +152,11 @@ def load(root=ROOT):
         except (KeyError, tomllib.TOMLDecodeError) as error:
             raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
                               "chapters.") from error
-        answers = _answers(path.with_name("answers.toml"), place.with_name("answers.toml"))
+        answers_place = place.with_name("answers.toml")
+        answers = _answers(root / answers_place, answers_place) if with_answers else {}
         unknown = set(answers) - {exercise.number for exercise in found}
         if unknown:
-            raise CourseError(f"{place.with_name('answers.toml')}: {min(unknown)} is no exercise of "
+            raise CourseError(f"{answers_place}: {min(unknown)} is no exercise of "
                               f"{place}. Put its number right.")
         chapter, counts = int(path.parent.name[:2]), Counter(exercise.number for exercise in found)
         for number, count in counts.items():
