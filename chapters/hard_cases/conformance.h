@@ -17,6 +17,7 @@ struct ConformanceFamily {
     std::string fails; // who goes wrong, and why
     AnswerRules::Origin origin = AnswerRules::Origin::anywhere;
     std::function<HardScene(const HardRequest&)> make;
+    bool any_rays = false; // else only those of a usual length, from t_min 0 on
 };
 
 const std::vector<ConformanceFamily>& conformance_families();

@@ -105,8 +105,16 @@ def to_html(figures, families):
             f"<th>what is wrong, and the first wrong ray</th></tr>\n{rows}</table></div></html>\n")
 
 
+def cell_of(row):
+    """Wrong answers, those whose u and v alone are wrong apart; or how the run ended."""
+    if row["ended"] != "done":
+        return row["ended"]
+    weights = row["wrong_by_kind"].get("wrong u, v", 0)
+    return f"{row['wrong'] - weights} + {weights}" if weights else str(row["wrong"])
+
+
 def compare(paths):
-    """A table in Markdown: families down, engines across; wrong answers of those tried, or how the run ended."""
+    """A table in Markdown: families down, engines across."""
     runs = [json.loads(path.read_text()) for path in paths]
     lines = ["| family | " + " | ".join(run["engine"] for run in runs) + " |", "| --- |" + " --- |" * len(runs)]
     names = list(dict.fromkeys(row["family"] for run in runs for row in run["families"]))
@@ -114,7 +122,7 @@ def compare(paths):
         cells = []
         for run in runs:
             row = next((row for row in run["families"] if row["family"] == name), None)
-            cells.append("" if row is None else str(row["wrong"]) if row["ended"] == "done" else row["ended"])
+            cells.append("" if row is None else cell_of(row))
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
     lines.append("| together | " + " | ".join(f"{run['wrong']} of {run['tried']}" for run in runs) + " |")
     return "\n".join(lines)

@@ -8,7 +8,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
+
+double longest(const float* direction) {
+    return static_cast<double>(
+        std::max({std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2])}));
+}
 
 template <class Kernel>
 std::vector<suite::Answer> trace(const std::vector<suite::Triangle>& triangles,
@@ -29,10 +37,16 @@ std::vector<suite::Answer> trace(const std::vector<suite::Triangle>& triangles,
     std::vector<suite::Answer> answers(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const suite::AimedRay& ray = rays[i];
-        const typename Kernel::Vector_3 along(ray.direction[0], ray.direction[1], ray.direction[2]);
+        if (!std::isnormal(longest(ray.direction))) {
+            continue;
+        }
+        // A ray is two points for CGAL: the second is as far from the first as the scene is large.
+        const double scale = std::ldexp(1.0, -std::ilogb(longest(ray.direction)));
+        const typename Kernel::Vector_3 along(scale * ray.direction[0], scale * ray.direction[1],
+                                              scale * ray.direction[2]);
         const Point origin(ray.origin[0], ray.origin[1], ray.origin[2]);
-        const typename Kernel::Ray_3 half_line(origin + typename Kernel::FT(ray.t_min) * along,
-                                               along);
+        const typename Kernel::Ray_3 half_line(
+            origin + typename Kernel::FT(ray.t_min / scale) * along, along);
         const auto hit = tree.first_intersection(half_line);
         if (!hit) {
             continue;
