@@ -31,7 +31,7 @@ case "${1:-}" in
 esac
 
 # The small conformance suite is there already, and Python is all that it needs.
-if [ "${1:-}" = conformance ] && [[ " $* " != *" --large "* ]]; then
+if [ "${1:-}" = conformance ] && [[ " $* " != *" --rays "* ]]; then
   script=$PWD/scripts/conformance
   shift
   cd "$called_from"

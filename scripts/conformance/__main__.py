@@ -23,8 +23,6 @@ from report import HEADING, ROOT, compare, first_in_words, head, replay, row_of,
 from suite import SuiteError, read_suite, read_triangles, write_triangles  # noqa: E402
 
 SMALL = ROOT / "docs/conformance/suite"
-LARGE = Path("out/conformance/large")
-LARGE_RAYS = 1000000
 DONE, FOUND, WRONG_INPUT = 0, 1, 2
 
 
@@ -34,7 +32,7 @@ def arguments():
     parser.add_argument("--command", help="the engine: %%m a model, %%t its triangles, %%r rays, %%h the file for hits")
     parser.add_argument("--name", default="engine", help="what to call it")
     parser.add_argument("--suite", type=Path, default=SMALL, help="the folder of the suite; docs/conformance/suite")
-    parser.add_argument("--large", action="store_true", help="a million rays a family, made in out/conformance/large")
+    parser.add_argument("--rays", type=int, default=0, help="make a suite of so many rays a family first, and take that")
     parser.add_argument("--families", default="", help="only these, as in edges,corners")
     parser.add_argument("--seconds", type=float, default=60.0, help="the most that one family may take (60)")
     parser.add_argument("--memory", type=float, default=8.0, help="the most memory that it may take, in GiB (8)")
@@ -45,16 +43,14 @@ def arguments():
     return parser.parse_args()
 
 
-def make_large(generator):
-    """The same bytes everywhere, as their sums say."""
-    if not (LARGE / "suite.json").exists():
-        print(f"making {LARGE_RAYS} rays a family in {LARGE}", file=sys.stderr)
-        subprocess.run([generator, "--suite", LARGE, "--rays", str(LARGE_RAYS)], check=True, stdout=subprocess.DEVNULL)
-    known = (SMALL / "large.sha256").read_text().split()
-    for digest, name in zip(known[::2], known[1::2]):
-        if hashlib.sha256((LARGE / name).read_bytes()).hexdigest() != digest:
-            raise SuiteError(f"{LARGE / name}: this is not the file that its sum in {SMALL / 'large.sha256'} says. "
-                             "Delete the folder and run again; if it stays so, please report it.")
+def make_suite(given):
+    """The same bytes everywhere."""
+    folder = given.out / f"suite_{given.rays}"
+    if not (folder / "suite.json").exists():
+        print(f"making {given.rays} rays a family in {folder}", file=sys.stderr)
+        subprocess.run([given.generator, "--suite", folder, "--rays", str(given.rays)], check=True,
+                       stdout=subprocess.DEVNULL)
+    return folder
 
 
 def ended_how(ended, data, family):
@@ -134,9 +130,8 @@ def main():
             return DONE
         if not given.command:
             raise SuiteError("name the engine: --command 'engine %m %r %h'. docs/conformance/adapters has examples.")
-        if given.large:
-            given.suite = LARGE
-            make_large(given.generator)
+        if given.rays:
+            given.suite = make_suite(given)
         return report(given, *run_all(given))
     except (SuiteError, OSError, subprocess.SubprocessError) as error:
         print(f"conformance: {error}", file=sys.stderr)

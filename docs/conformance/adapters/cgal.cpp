@@ -57,7 +57,9 @@ std::vector<suite::Answer> trace(const std::vector<suite::Triangle>& triangles,
         if (segment != nullptr && (segment->target() - origin) * along < (place - origin) * along) {
             place = segment->target();
         }
-        const double t = CGAL::to_double((place - origin) * along) / CGAL::to_double(along * along);
+        const double far =
+            CGAL::to_double((place - origin) * along) / CGAL::to_double(along * along);
+        const double t = std::max(scale * far, static_cast<double>(ray.t_min));
         if (t <= ray.t_max) {
             answers[i].t = static_cast<float>(t);
             answers[i].triangle = static_cast<std::int32_t>(hit->second - list.begin());
