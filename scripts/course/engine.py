@@ -358,9 +358,11 @@ def _without_own(archive, made, folder):
 
 
 def _linked_with(link, archive, own, others, program):
-    """The command that links the program with a person's object in the place of the project's."""
-    place = link.index(archive)
-    return _with([*link[:place], str(own), str(others), *link[place + 1:]], o=program)
+    """The command that links the program with a person's object in the place of the project's, which must
+    be found nowhere: an archive may stand there more than once."""
+    words = [str(others) if word == archive else word for word in link]
+    words.insert(link.index(archive), str(own))
+    return _with(words, o=program)
 
 
 def _with(words, **replaced):
