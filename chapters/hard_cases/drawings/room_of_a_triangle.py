@@ -7,7 +7,7 @@ ALT = (
     "the reach. One ray goes through the triangle, another passes right beside its end b; of both the part "
     "from t_least to t_most lies within the room, and the triangle may be named there"
 )
-HEIGHT = 290
+HEIGHT = 318
 SENTENCES = [
     "The room is 32 roundings of the reach wide",
 ]

@@ -1,5 +1,5 @@
 // CGAL's AABB tree: adapter_cgal MODE %t %r %h, where MODE is a kernel: epick, epeck or double
-#include "suite_files.h"
+#include "segment.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -34,14 +34,18 @@ std::vector<suite::Answer> trace(const std::vector<suite::Triangle>& triangles,
         list.emplace_back(points[0], points[1], points[2]);
     }
     CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(list.begin(), list.end());
+    const suite::Segments segments(triangles);
     std::vector<suite::Answer> answers(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const suite::AimedRay& ray = rays[i];
-        if (!std::isnormal(longest(ray.direction))) {
+        if (triangles.empty() || !std::isnormal(longest(ray.direction))) {
             continue;
         }
-        // A ray is two points for CGAL: the second is as far from the first as the scene is large.
-        const double scale = std::ldexp(1.0, -std::ilogb(longest(ray.direction)));
+        // A ray is two points for CGAL: the second is about as far away as the scene reaches, and
+        // a power of two of directions.
+        suite::AimedRay endless = ray;
+        endless.t_max = std::numeric_limits<float>::infinity();
+        const double scale = std::ldexp(1.0, std::ilogb(segments.end_of(endless)));
         const typename Kernel::Vector_3 along(scale * ray.direction[0], scale * ray.direction[1],
                                               scale * ray.direction[2]);
         const Point origin(ray.origin[0], ray.origin[1], ray.origin[2]);
