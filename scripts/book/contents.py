@@ -17,7 +17,7 @@ def parts(root):
         ("Chapters", [*chapters(root), Path("chapters/hard_cases/README.md")]),
         ("Tools", [Path("visualizer/README.md"), Path("docs/course.md"),
                    Path("docs/scene_files.md"), Path("docs/ray_files.md"),
-                   Path("docs/tree_files.md"), Path("docs/figures.md")]),
+                   Path("docs/tree_files.md"), Path("docs/figures.md"), Path("docs/installing.md")]),
         ("Teachers", [Path("docs/book/teaching.md"), Path("docs/book/add_an_exercise.md"),
                       Path("docs/book/add_a_structure.md")]),
         ("Look up", [Path("docs/book/glossary.md"), Path("docs/book/sources.md"),

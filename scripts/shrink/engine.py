@@ -6,7 +6,7 @@ import shlex
 import signal
 import subprocess
 
-from scene import obj_of, write_ray
+from scene import obj_of, run_check, write_ray
 
 
 class Engine:
@@ -17,14 +17,12 @@ class Engine:
         self.model, self.ray, self.hit = (folder / name for name in ("model.obj", "ray.f32", "hit.f32"))
         self.verdict = folder / "verdict.json"
         self.right = -1  # the triangle of the last right answer, among those that were given
-        self.calls = 0
 
     def failure(self, triangles, ray):
         """`wrong`, `crash` or `timeout`; empty where the answer is right."""
         self.model.write_text(obj_of(triangles))
         write_ray(self.ray, ray)
         self.hit.unlink(missing_ok=True)
-        self.calls += 1
         ended = self.call()
         if ended == "timeout":
             return ended
@@ -55,11 +53,8 @@ class Engine:
         if not exists:
             self.hit.write_bytes(b"\0\0\x80\x7f" + bytes(8) + b"\xff\xff\xff\xff")  # a miss, to be told what is right
         self.verdict.unlink(missing_ok=True)
-        run = subprocess.run([self.check, "--scene", self.model, "--rays", self.ray, "--judge", self.hit,
-                              "--out", self.verdict.parent, "--json", self.verdict],
-                             capture_output=True, text=True, check=False)
-        if run.returncode not in (0, 1):
-            raise subprocess.SubprocessError(f"check said: {run.stderr.strip()}")
+        run_check(self.check, "--scene", self.model, "--rays", self.ray, "--judge", self.hit,
+                  "--out", self.verdict.parent, "--json", self.verdict)
         first = json.loads(self.verdict.read_text())["answers"]["first_wrong"]
         if first:
             self.answer, self.right = "wrong", first[0]["right_triangle"]
