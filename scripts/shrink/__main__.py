@@ -89,7 +89,7 @@ def shrink_tree(given, folder):
 
     def fails(numbers):
         data, some, nodes = tree.with_parts(numbers)
-        return nodes > 0 and check.has_failure(failure, data, some, ray)
+        return nodes > 0 and len(some) > 0 and check.has_failure(failure, data, some, ray)
 
     asked = [given.scene, sha256(given.tree.read_bytes()).hexdigest(), failure, ray and list(ray)]
     reduction = Reduction(len(tree.parts), fails, given.out / "state.json", asked, "parts of the tree")
