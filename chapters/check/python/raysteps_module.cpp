@@ -142,13 +142,13 @@ py::object object_of(const Numbers& numbers) {
                 for (const Numbers& each : value) {
                     list.append(object_of(each));
                 }
-                return std::move(list);
+                return list;
             } else if constexpr (std::is_same_v<Value, Numbers::Object>) {
                 py::dict object;
                 for (const auto& [name, each] : value) {
                     object[py::str(name)] = object_of(each);
                 }
-                return std::move(object);
+                return object;
             } else {
                 return py::cast(value);
             }
@@ -211,11 +211,15 @@ std::string why(const BoxTree& tree, const Array<float>& triangles, const Array<
         throw py::index_error("triangle: there are " + std::to_string(triangle_count(scene)) +
                               ", counted from 0.");
     }
-    const std::vector<Ray> rays = rays_of(ray.reshape({1, -1}));
+    if (ray.ndim() != 1 || ray.size() != 8) {
+        throw py::value_error("ray: the shape (8,) is needed.");
+    }
+    const std::vector<Ray> rays =
+        rays_of(Array<float>({py::ssize_t{1}, py::ssize_t{8}}, ray.data()));
     return why_not(tree, scene.corners, rays.front(), triangle);
 }
 
-py::tuple read(const std::string& path, const Array<float>& triangles) {
+py::tuple read_boxes(const std::string& path, const Array<float>& triangles) {
     TreeFile file = read_tree_file(path);
     const std::string made_by = file.made_by;
     AnyTree tree = in_numbers_of(std::move(file), scene_of(triangles).corners);
@@ -226,7 +230,7 @@ py::tuple read(const std::string& path, const Array<float>& triangles) {
     return py::make_tuple(std::move(std::get<BoxTree>(tree)), made_by);
 }
 
-void write(const BoxTree& tree, const std::string& path, const std::string& made_by) {
+void write_boxes(const BoxTree& tree, const std::string& path, const std::string& made_by) {
     write_tree_file(path, {made_by, tree});
 }
 
@@ -307,11 +311,11 @@ PYBIND11_MODULE(raysteps, module) {
                (std::string("Why a walk does not come to the triangle, in words.\n\n") +
                 triangles_are + "ray: float32 (8,)")
                    .c_str());
-    module.def("read", &read, py::arg("path"), py::arg("triangles"),
+    module.def("read", &read_boxes, py::arg("path"), py::arg("triangles"),
                (std::string("The tree of a tree file, in the numbers of these triangles, and what "
                             "made it, in words.\n\n") +
                 triangles_are)
                    .c_str());
-    module.def("write", &write, py::arg("tree"), py::arg("path"), py::arg("made_by") = "",
+    module.def("write", &write_boxes, py::arg("tree"), py::arg("path"), py::arg("made_by") = "",
                "Writes a tree file (docs/tree_files.md); its numbers count the scene's triangles.");
 }

@@ -24,10 +24,12 @@ package)
   root/usr/bin/raysteps trees to_npz own.rstree own.npz
   ;;
 python)
-  python3 -c 'import numpy' 2>/dev/null && cmake --find-package -DNAME=pybind11 -DCOMPILER_ID=GNU -DLANGUAGE=CXX \
-    -DMODE=EXIST >/dev/null 2>&1 || exit 77
-  cmake -S "$2" -B "$2/build/python" -G Ninja -DRAYSTEPS_PYTHON=ON -DRAYSTEPS_TESTS=OFF >/dev/null
+  # That of the distribution has its NumPy; another one may come first in the path.
+  python=/usr/bin/python3
+  "$python" -c 'import numpy' 2>/dev/null && dpkg-query -W pybind11-dev >/dev/null 2>&1 || exit 77
+  cmake -S "$2" -B "$2/build/python" -G Ninja -DRAYSTEPS_PYTHON=ON -DRAYSTEPS_TESTS=OFF \
+    -DPYTHON_EXECUTABLE="$python" >/dev/null
   cmake --build "$2/build/python" --target raysteps_python >/dev/null
-  PYTHONPATH=$2/build/python/chapters/check python3 -B "$here/test_module.py"
+  PYTHONPATH=$2/build/python/chapters/check "$python" -B "$here/test_module.py"
   ;;
 esac
