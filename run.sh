@@ -5,7 +5,7 @@
 #   ./run.sh 03 [OPTION...]       runs one chapter's program with its options; --help lists them
 #   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
 #   ./run.sh check --tree FILE    says what is wrong with a tree that another program built (docs/tree_files.md)
-#   ./run.sh shrink --command ... reduces a ray that another engine gets wrong to a few triangles
+#   ./run.sh shrink --command ... reduces a ray that another engine gets wrong, or a fault of a tree, to a few triangles
 #   ./run.sh conformance --command ...  runs the hard cases over any ray tracer, and judges its hits exactly
 #   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
 #   ./run.sh book [--port N]      makes the book, and serves it on this machine (127.0.0.1:8000)

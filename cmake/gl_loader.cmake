@@ -19,4 +19,5 @@ if(NOT EXISTS ${gl_loader_dir}/include/glad/gl.h)
 endif()
 add_library(raysteps_gl_loader INTERFACE)
 add_library(raysteps::gl_loader ALIAS raysteps_gl_loader)
-target_include_directories(raysteps_gl_loader SYSTEM INTERFACE ${gl_loader_dir}/include)
+target_include_directories(raysteps_gl_loader SYSTEM INTERFACE
+  $<BUILD_INTERFACE:${gl_loader_dir}/include> $<INSTALL_INTERFACE:include/raysteps/made>)

@@ -1,5 +1,8 @@
 #include "framing.h"
 
+#include "layout.h"
+#include "why.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -101,19 +104,42 @@ Camera frame_stage(const Stage& stage, double aspect_ratio) {
     return camera;
 }
 
-Camera fly_to_step(const Stage& stage, const State& state, const Camera& from) {
+namespace {
+
+// What is looked at from close by; nothing where there is nothing.
+std::optional<Box> box_to_see(const Stage& stage, const State& state) {
+    if (const auto why = why_of(stage, state)) {
+        const Box triangle = bounds_of(why->corners);
+        return why->box ? merge(triangle, *why->box) : triangle;
+    }
     const Pane& pane = *stage.panes().front();
     const RecordedWalk* walk = walk_in(pane, state);
     const bool has_step = walk && !walk->steps.empty();
     const int cell = has_step ? walk->steps[step_in(*walk, state)].cell : no_cell;
     const int shown = state.selected >= 0 ? state.selected : cell;
     if (shown < 0 || static_cast<std::size_t>(shown) >= pane.cells.cells.size()) {
+        return std::nullopt;
+    }
+    return pane.cells.cells[static_cast<std::size_t>(shown)].box;
+}
+
+Camera viewpoint_of(const Stage& stage, const State& state) {
+    const Area pane = layout_of(state, stage.panes().size()).panes.front();
+    return state.viewpoint.value_or(
+        frame_stage(stage, static_cast<double>(pane.width) / pane.height));
+}
+
+} // namespace
+
+Camera fly_to_step(const Stage& stage, const State& state) {
+    const Camera from = viewpoint_of(stage, state);
+    const auto box = box_to_see(stage, state);
+    if (!box) {
         return from;
     }
-    const Box& box = pane.cells.cells[static_cast<std::size_t>(shown)].box;
-    const glm::dvec3 center = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
+    const glm::dvec3 center = 0.5 * (glm::dvec3(box->lower) + glm::dvec3(box->upper));
     const double radius =
-        std::max(0.5 * glm::length(glm::dvec3(box.upper) - glm::dvec3(box.lower)), 1e-12);
+        std::max(0.5 * glm::length(glm::dvec3(box->upper) - glm::dvec3(box->lower)), 1e-12);
     const glm::dvec3 sight = glm::dvec3(from.eye) - glm::dvec3(from.target);
     Camera camera = from;
     camera.target = center;

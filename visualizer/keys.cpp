@@ -4,6 +4,7 @@
 #include "framing.h"
 #include "layout.h"
 #include "visualizer/replay/sentence.h"
+#include "why.h"
 
 #include <algorithm>
 #include <functional>
@@ -46,6 +47,13 @@ State with_next_ray(State state, const Stage& stage) {
     return state;
 }
 
+// The triangle that the ray should come to, by the loop over all of them; pressed again, none.
+State with_why(State state, const Stage& stage) {
+    const RecordedWalk* const walk = walk_in(*stage.panes().front(), state);
+    state.why = walk && state.why < 0 ? hit_by_loop(stage, walk->ray).triangle : no_triangle;
+    return state;
+}
+
 State with_levels(State state, const Stage& stage, int lower, int upper) {
     const Levels levels = levels_of(*stage.panes().front(), state);
     const int deepest = stage.panes().front()->cells.deepest;
@@ -85,9 +93,7 @@ State with_frame(State state, const Stage&) {
 }
 
 State with_flight(State state, const Stage& stage) {
-    if (state.viewpoint) {
-        state.viewpoint = fly_to_step(stage, state, *state.viewpoint);
-    }
+    state.viewpoint = fly_to_step(stage, state);
     return state;
 }
 
@@ -228,6 +234,13 @@ const std::vector<KeySection>& key_table() {
           {"Space", "play", {{"space", A::play}}},
           {"D", "where two walks part", {{"d", at_parting}}},
           {"Tab", "next ray", {{"Tab", with_next_ray}}, now(&State::path_ray)},
+          {"M",
+           "why is the hit missed",
+           {{"m", with_why}},
+           [](const State& s) {
+               return s.why < 0 ? std::string("off") : "triangle " + std::to_string(s.why);
+           }},
+          {"Ctrl+click", "why is that triangle missed"},
           {"click", "ray to that point, or of that pixel of a heat map"}}},
         {"CELLS",
          {{"V", "which ones", {{"v", next_choice(&State::filter)}}, now(&State::filter)},

@@ -20,7 +20,8 @@ Layout layout_of(const State& state, std::size_t pane_count) {
     const int panes = std::max(static_cast<int>(pane_count), 1);
     // A slider, and below it a sentence and a line of the shader for each walk.
     const int bottom_height = 2 * margin + slider_height + 2 * line_height * panes +
-                              (panes > 1 ? line_height : 0) + (has_note(state) ? line_height : 0);
+                              (panes > 1 ? line_height : 0) + (has_note(state) ? line_height : 0) +
+                              (state.why >= 0 ? why_lines * line_height : 0);
     Layout layout;
     const int side = std::min(side_width, state.window.x / 2);
     const int main_width = state.window.x - side;

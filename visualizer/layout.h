@@ -40,6 +40,9 @@ Layout layout_of(const State& state, std::size_t pane_count);
 // Whether the ray comes from a hard case: then a line at the bottom says why it was chosen.
 bool has_note(const State& state);
 
+// Lines at the bottom that say why a triangle is missed.
+inline constexpr int why_lines = 5;
+
 // How many rows of the table are visible, not counting its header.
 int table_rows(const Layout& layout);
 

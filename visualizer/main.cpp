@@ -1,5 +1,6 @@
 // The visualizer: what a structure looks like, and how a ray walks through it.
 #include "basics/error.h"
+#include "framing.h"
 #include "json_files.h"
 #include "keys.h"
 #include "pointing.h"
@@ -40,6 +41,9 @@ void run(int argc, char** argv) {
         request.state = view::after_key(request.state, stage, "d");
     }
     request.state = view::with_selected(request.state, stage, request.state.selected);
+    if (request.fly) {
+        request.state.viewpoint = view::fly_to_step(stage, request.state);
+    }
     if (!request.save_to.empty()) {
         view::save_state(request.save_to, request.state);
         std::cout << "wrote     " << request.save_to.string() << "\n";

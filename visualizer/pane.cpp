@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "basics/text.h"
 #include "structure/structure.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <algorithm>
 
@@ -85,6 +86,41 @@ CellCosts costs_of(const StructureFamily& family, const Values& values) {
     return costs;
 }
 
+// The tree of the file, where it is of boxes and these are walks through boxes.
+std::optional<BoxTree> box_tree_of_file(const StructureFamily& family, const Values& values,
+                                        std::span<const glm::vec3> corners) {
+    const auto file = values.find("tree");
+    if (file == values.end() || (family.name != "bvh" && family.name != "bvh4")) {
+        return std::nullopt;
+    }
+    AnyTree tree = in_numbers_of(read_tree_file(file->second), corners);
+    BoxTree* const boxes = std::get_if<BoxTree>(&tree);
+    return boxes == nullptr ? std::nullopt : std::optional(std::move(*boxes));
+}
+
+// Knows no walk, but the answer of the loop over every triangle.
+WalkRecorder recorder_of_answers(const WalkRecorder& loop) {
+    WalkRecorder answers = loop;
+    answers.record = [record = loop.record](const Ray& ray, Question question) {
+        RecordedWalk walk = record(ray, question);
+        walk.steps.clear();
+        walk.tests.clear();
+        walk.ending = Ending::no_walk;
+        return walk;
+    };
+    return answers;
+}
+
+// Only the cells of the tree, with the sentence on why no walk goes through it.
+void show_without_walk(Pane& pane, const PaneSource& source, const CellCosts& costs,
+                       const std::string& refusal) {
+    pane.refusal = refusal;
+    pane.built = every_triangle(triangle_count(source.scene));
+    pane.cells = cells_of(*pane.tree, costs);
+    pane.recorder =
+        recorder_of_answers(make_recorder("every_triangle", {source.buffers, pane.built.packed}));
+}
+
 std::unique_ptr<Pane> build_pane(const std::string& label, const PaneSource& source,
                                  const Say& say) {
     const StructureName name = read_structure_name(label);
@@ -94,7 +130,17 @@ std::unique_ptr<Pane> build_pane(const std::string& label, const PaneSource& sou
     pane->label = label;
     pane->structure = name.structure;
     say("building " + label);
-    pane->built = family.build(source.scene.corners, {.reach = source.reach, .values = values});
+    pane->tree = box_tree_of_file(family, values, source.scene.corners);
+    try {
+        pane->built = family.build(source.scene.corners, {.reach = source.reach, .values = values});
+    } catch (const InputError& error) {
+        const bool fits = pane->tree && (pane->tree->width != 4 || family.name == "bvh4");
+        if (!fits) {
+            throw;
+        }
+        show_without_walk(*pane, source, costs_of(family, values), error.what());
+        return pane;
+    }
     pane->cells = cells_of(pane->built.packed, costs_of(family, values));
     pane->recorder = make_recorder(name.structure, {source.buffers, pane->built.packed});
     return pane;

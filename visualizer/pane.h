@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct Pane {
     BuiltStructure built;
     StructureCells cells;
     WalkRecorder recorder;
+    std::optional<BoxTree> tree{};  // from a file, of boxes
+    std::string refusal{};          // why no walk goes through that; then only cells are shown
     std::vector<PathRay> path;      // empty where no ray is asked for
     std::vector<WalkCount> counted; // for each pixel, once a heat map was shown
 };

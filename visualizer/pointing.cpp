@@ -5,6 +5,7 @@
 #include "scene/scaling.h"
 #include "scene/view.h"
 #include "structure/bvh/bvh_split.h"
+#include "why.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,19 @@ std::optional<double> entry_of(const Ray& ray, const Box& box) {
     return entry <= exit ? std::optional(entry) : std::nullopt;
 }
 
+// From the box of the scene on: a viewpoint may be farther away than the structures' reach.
+std::optional<Ray> ray_from_bounds(const State& state, const Stage& stage, const Camera& viewpoint,
+                                   const glm::ivec2& place) {
+    auto ray = ray_through(state, stage, viewpoint, place);
+    const auto entry = ray ? entry_of(*ray, stage.bounds()) : std::nullopt;
+    if (!entry) {
+        return std::nullopt;
+    }
+    const glm::vec3 start(glm::dvec3(ray->origin) + *entry * glm::dvec3(ray->direction));
+    ray->origin = glm::clamp(start, stage.bounds().lower, stage.bounds().upper);
+    return ray;
+}
+
 } // namespace
 
 bool is_on_panel(const State& state, const Stage& stage, const glm::ivec2& place) {
@@ -118,6 +132,7 @@ State after_click(const State& state, const Stage& stage, const glm::ivec2& plac
             next.steps.clear();
             next.path_ray = 0;
             next.step = last_step;
+            next.why = no_triangle;
             next.filter = CellFilter::visited;
             return next;
         }
@@ -140,20 +155,26 @@ State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point
     next.steps.clear();
     next.path_ray = 0;
     next.step = last_step;
+    next.why = no_triangle;
     next.filter = CellFilter::visited;
+    return next;
+}
+
+State with_why_at(const State& state, const Stage& stage, const Camera& viewpoint,
+                  const glm::ivec2& place) {
+    const auto ray = ray_from_bounds(state, stage, viewpoint, place);
+    const int triangle = ray ? hit_by_loop(stage, *ray).triangle : no_triangle;
+    State next = state;
+    next.why = stage.ray() && triangle != no_triangle ? triangle : state.why;
     return next;
 }
 
 std::optional<glm::vec3> point_under(const State& state, const Stage& stage,
                                      const Camera& viewpoint, const glm::ivec2& place) {
-    auto ray = ray_through(state, stage, viewpoint, place);
-    const auto entry = ray ? entry_of(*ray, stage.bounds()) : std::nullopt;
-    if (!entry) {
+    const auto ray = ray_from_bounds(state, stage, viewpoint, place);
+    if (!ray) {
         return std::nullopt;
     }
-    // From the box of the scene on: a viewpoint may be farther away than the structures' reach.
-    const glm::vec3 start(glm::dvec3(ray->origin) + *entry * glm::dvec3(ray->direction));
-    ray->origin = glm::clamp(start, stage.bounds().lower, stage.bounds().upper);
     const Hit hit = stage.panes().front()->recorder.record(*ray, Question::nearest).hit;
     if (hit.triangle == no_triangle) {
         return std::nullopt;

@@ -20,6 +20,11 @@ State with_selected(const State& state, const Stage& stage, int cell);
 // The state with the camera's ray to that point of the model.
 State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point);
 
+// The state that asks why the walk does not come to the triangle under that place of a pane, which
+// the loop over every triangle finds; the same state where there is none, or no ray.
+State with_why_at(const State& state, const Stage& stage, const Camera& viewpoint,
+                  const glm::ivec2& place);
+
 // Where the ray from the viewpoint through that place of a pane meets the model; nothing where it
 // does not.
 std::optional<glm::vec3> point_under(const State& state, const Stage& stage,

@@ -4,13 +4,13 @@
 #include "basics/text.h"
 #include "hard_cases/hard_cases.h"
 #include "json_files.h"
-#include "read_told_walk.h"
 #include "scene/camera_text.h"
 #include "scene/ray_file.h"
 #include "state_fields.h"
 #include "structure/structure.h"
 #include "visualizer/replay/sentence.h"
 #include "visualizer/replay/walk_recorder.h"
+#include "walk_file.h"
 
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
@@ -217,6 +217,7 @@ void add_options(CLI::App& app, Given& given, Request& request) {
     app.add_option("--step", given["--step"],
                    "the step to show, counted from 1; last (the default); or parting, the step "
                    "at which two walks part");
+    app.add_flag("--fly", request.fly, "look from close by at the step, at --select or at --why");
     app.add_option("--state", given["--state"], "start from a saved state");
     app.add_option("--save-state", request.save_to, "write the state to this file (.json)");
     app.add_option("--screenshot", request.screenshot,

@@ -3,12 +3,12 @@
 #include "basics/error.h"
 #include "hard_cases/hard_cases.h"
 #include "mirror/walks.h"
-#include "read_told_walk.h"
 #include "scene/load_scene.h"
 #include "scene/scaling.h"
 #include "scene/view.h"
 #include "structure/padding.h"
 #include "visualizer/replay/sentence.h"
+#include "walk_file.h"
 
 #include <algorithm>
 #include <utility>
@@ -141,12 +141,24 @@ void Stage::show(const State& state) {
     note_.clear();
     ray_ = ray ? ray : hard_ray(state); // chosen by its walks, so the structures come first
     record({ray_, state.bounces, state.steps});
+    check_sought(state);
     if (state.heat_map != HeatMap::none) {
         if (told_) {
             throw InputError("--heat-map: recorded steps are of one ray. Leave --heat-map or "
                              "--steps out.");
         }
         count({camera_, state.picture});
+    }
+}
+
+void Stage::check_sought(const State& state) const {
+    const std::string option = "--why " + std::to_string(state.why);
+    if (state.why >= triangle_count(scene_)) {
+        throw InputError(option + ": the scene has " + std::to_string(triangle_count(scene_)) +
+                         " triangles, counted from 0.");
+    }
+    if (state.why >= 0 && !ray_) {
+        throw InputError(option + ": it asks about a ray. Name one with --rays, --ray or --pixel.");
     }
 }
 
@@ -287,6 +299,9 @@ void Stage::record_told() {
 
 void Stage::count(const CountSource& source) {
     for (const std::unique_ptr<Pane>& pane : panes_) {
+        if (!pane->refusal.empty()) {
+            throw InputError("--heat-map: " + pane->refusal);
+        }
         if (counted_ == source && !pane->counted.empty()) {
             continue;
         }

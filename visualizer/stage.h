@@ -28,6 +28,7 @@ public:
 
     const Scene& scene() const { return scene_; }
     const std::vector<std::unique_ptr<Pane>>& panes() const { return panes_; }
+    const mirror::SceneBuffers& buffers() const { return *buffers_; }
     const Camera& camera() const { return camera_; }  // of the traced picture
     const Box& bounds() const { return bounds_; }     // of the scene
     std::optional<Ray> ray() const { return ray_; }   // of the state
@@ -67,6 +68,7 @@ private:
         bool operator==(const CountSource&) const;
     };
 
+    void check_sought(const State& state) const;
     void tell(const std::string& steps);
     void load(const SceneSource& source, const std::optional<Camera>& camera);
     void build(const StructureSource& source);

@@ -87,8 +87,9 @@ struct State {
     std::string steps; // a file of recorded steps: its ray, with that walk beside ours
     int hard_ray = -1; // which of the hard case's rays, if neither is given; -1: the most telling
     int bounces = 4;
-    int path_ray = 0;     // which of the rays behind the pixel; 0 is the camera ray
-    int step = last_step; // from 0
+    int path_ray = 0;      // which of the rays behind the pixel; 0 is the camera ray
+    int step = last_step;  // from 0
+    int why = no_triangle; // asks why the walk does not come to this one
 
     // How it is drawn.
     ModelStyle model = ModelStyle::transparent;

@@ -48,6 +48,8 @@ void visit_fields(const Visit& visit) {
     field("path_ray", &State::path_ray, "--path-ray",
           "which ray behind the pixel to step through; 0 is the camera ray");
     field("step", &State::step);
+    field("why", &State::why, "--why",
+          "say why the ray does not come to this triangle: which box left it out, and by how much");
     field("model", &State::model, "--model", "how to draw the model");
     field("show", &State::filter, "--show", "which cells to draw");
     field("color", &State::color, "--color", "what the colour of a cell shows");

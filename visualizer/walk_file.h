@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stage.h"
+#include "visualizer/replay/told_walk.h"
 
 #include <filesystem>
 
@@ -10,5 +11,8 @@ namespace raysteps::view {
 // walk.schema.json says (docs/figures.md). Throws InputError where the state has no ray, or the
 // file cannot be written.
 void write_walk(const std::filesystem::path& path, const Stage& stage, const State& state);
+
+// Reads a file of recorded steps. Throws InputError with the file's name where it is none.
+ToldWalk read_told_walk(const std::filesystem::path& path);
 
 } // namespace raysteps::view

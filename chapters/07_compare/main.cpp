@@ -96,6 +96,10 @@ int main(int argc, char** argv) {
     options.excludes("--against", {"--rays", "--window", "--builds"});
     options.excludes("--gpu-cards", {"--rays", "--window", "--builds", "--against", "--structure"});
     options.excludes("--builds", {"--structure"});
+    add_job_options(options, comparison.jobs);
+    for (const std::string option : {"--jobs-file", "--merge"}) {
+        options.excludes(option, {"--rays", "--window", "--builds", "--against", "--gpu-cards"});
+    }
     return options.run(argc, argv, [&] {
         if (!gpu_cards.empty()) {
             print_gpu_cards(gpu_cards);
@@ -122,6 +126,17 @@ int main(int argc, char** argv) {
             }
             comparison.scenes.insert(comparison.scenes.begin(), picture.scene);
             comparison.growth = options.given("--growth") ? comparison.growth : -1;
+        }
+        if (!comparison.jobs.file.empty()) {
+            write_comparison_jobs(comparison,
+                                  words_without(argc, argv,
+                                                {"--jobs-file", "--results", "--scene", "--scenes",
+                                                 "--growth", "--out", "--json"}));
+            return;
+        }
+        if (!comparison.jobs.merge.empty()) {
+            merge_comparison(picture, comparison);
+            return;
         }
         if (builds) {
             run_builds(picture, tracing, comparison);

@@ -144,8 +144,7 @@ std::string to_word(EmbreePart part) {
 }
 
 // For programs: what was measured in each scene; then claims and growth.
-Numbers numbers_of(const ComparisonReport& report, const PictureOptions& picture,
-                   const TraceOptions& tracing, const Comparison& comparison) {
+void add_findings(Numbers& figures, const ComparisonReport& report) {
     Numbers scenes = empty_list();
     for (const SceneCosts& result : report.results) {
         scenes.push_back(numbers_of(result));
@@ -158,15 +157,21 @@ Numbers numbers_of(const ComparisonReport& report, const PictureOptions& picture
     for (const GrowthLine& line : report.growth) {
         growth.push_back(growth_numbers(line));
     }
-    return {{"width", picture.size.width},
-            {"height", picture.size.height},
-            {"rounds", comparison.rounds},
-            {"triangle", tracing.triangle},
-            {"embree", comparison.embree_part != EmbreePart::none ? embree_name() : ""},
-            {"embree_mode", to_word(comparison.embree_part)},
-            {"scenes", scenes},
-            {"claims", claims},
-            {"growth", growth}};
+    figures["scenes"] = scenes;
+    figures["claims"] = claims;
+    figures["growth"] = growth;
+}
+
+Numbers numbers_of(const ComparisonReport& report, const PictureOptions& picture,
+                   const TraceOptions& tracing, const Comparison& comparison) {
+    Numbers figures{{"width", picture.size.width},
+                    {"height", picture.size.height},
+                    {"rounds", comparison.rounds},
+                    {"triangle", tracing.triangle},
+                    {"embree", comparison.embree_part != EmbreePart::none ? embree_name() : ""},
+                    {"embree_mode", to_word(comparison.embree_part)}};
+    add_findings(figures, report);
+    return figures;
 }
 
 std::vector<std::string> names_of(const std::vector<StructureChoice>& choices) {
@@ -213,7 +218,69 @@ ComparisonReport measure_scenes(const PictureOptions& picture, const TraceOption
     return report;
 }
 
+// The claims and the growth, of what was measured.
+void conclude(ComparisonReport& report, const std::vector<std::string>& structures) {
+    std::vector<ProgramLength> programs;
+    for (const std::string& structure : structures) {
+        programs.push_back(program_length(structure));
+    }
+    report.claims = judge_speed(report.results);
+    report.claims.push_back(judge_simplicity(programs));
+    report.growth = growth_lines(report.results, "sphereflake");
+    std::cout << "\nThe paper's claims (Mrays/s of the fastest walk of each family)\n"
+              << table_of(report.claims) << to_table(report.growth) << "\n";
+}
+
+// The walks that took part, each once: of `bvh_ordered:split=median` its name alone.
+std::vector<std::string> walks_of(const SceneCosts& costs) {
+    std::vector<std::string> walks;
+    for (const BuildCosts& build : costs.builds) {
+        const std::string name = build.contender.substr(0, build.contender.find(':'));
+        if (!is_embree(build.contender) && std::ranges::find(walks, name) == walks.end()) {
+            walks.push_back(name);
+        }
+    }
+    return walks;
+}
+
 } // namespace
+
+void write_comparison_jobs(const Comparison& comparison, const std::vector<std::string>& words) {
+    std::vector<Job> jobs;
+    for (const std::string& scene : scenes_of(comparison)) {
+        jobs.push_back({scene, {"--scenes", scene, "--growth", "-1"}});
+    }
+    write_jobs(comparison.jobs, words, jobs);
+}
+
+void merge_comparison(const PictureOptions& picture, const Comparison& comparison) {
+    const JobParts parts = read_parts(comparison.jobs.merge, compare_schema);
+    ComparisonReport report;
+    for (const Numbers& figures : parts.figures) {
+        const Numbers::List& records = figures.at("head").at("scenes").values();
+        const Numbers::List& scenes = figures.at("scenes").values();
+        for (std::size_t i = 0; i < std::min(records.size(), scenes.size()); ++i) {
+            report.results.push_back(scene_costs_of(scenes[i]));
+            report.results.back().triangles = static_cast<int>(records[i].at("triangles").number());
+            std::cout << table_of(report.results.back());
+        }
+    }
+    conclude(report, report.results.empty() ? std::vector<std::string>()
+                                            : walks_of(report.results.front()));
+    Numbers all{{"head", head_of(parts)}};
+    for (const std::string name :
+         {"width", "height", "rounds", "triangle", "embree", "embree_mode"}) {
+        all[name] = common_member(parts, name);
+    }
+    add_findings(all, report);
+    write_text(picture.out / "compare.csv", to_csv(report.results));
+    write_text(picture.out / "compare.json", all.to_json() + "\n");
+    if (!picture.json.empty()) {
+        write_text(picture.json, all.to_json() + "\n");
+    }
+    plot_growth(picture.out, report.growth);
+    check_complete(parts);
+}
 
 void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                     const Comparison& comparison) {
@@ -237,15 +304,7 @@ void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
     }
     ComparisonReport report =
         measure_scenes(picture, tracing, comparison, earlier ? &*earlier : nullptr);
-    std::vector<ProgramLength> programs;
-    for (const std::string& structure : names_of(comparison.structures)) {
-        programs.push_back(program_length(structure));
-    }
-    report.claims = judge_speed(report.results);
-    report.claims.push_back(judge_simplicity(programs));
-    report.growth = growth_lines(report.results, "sphereflake");
-    std::cout << "\nThe paper's claims (Mrays/s of the fastest walk of each family)\n"
-              << table_of(report.claims) << to_table(report.growth) << "\n";
+    conclude(report, names_of(comparison.structures));
 
     const FiguresHead head{.schema = compare_schema,
                            .scenes = report.scenes,

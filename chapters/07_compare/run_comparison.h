@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/built_structures.h"
+#include "program/jobs.h"
 #include "reference/embree/embree.h"
 #include "trace/trace_options.h"
 
@@ -20,6 +21,7 @@ struct Comparison {
     std::string embree = "auto";
     EmbreePart embree_part = EmbreePart::none;
     std::filesystem::path against{}; // the JSON of an earlier run; empty: none
+    JobOptions jobs{};
 };
 
 // Measures all structures in all scenes, prints tables and verdicts, and writes compare.csv,
@@ -28,5 +30,12 @@ struct Comparison {
 // slower than then beyond doubt.
 void run_comparison(const PictureOptions& picture, const TraceOptions& tracing,
                     const Comparison& comparison);
+
+// A command for each scene (program/jobs.h); the words are those of this command line.
+void write_comparison_jobs(const Comparison& comparison, const std::vector<std::string>& words);
+
+// The same report of what these commands measured, with its files. Throws Error with exit code 1
+// where parts are missing.
+void merge_comparison(const PictureOptions& picture, const Comparison& comparison);
 
 } // namespace raysteps

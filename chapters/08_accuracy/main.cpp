@@ -20,8 +20,19 @@ int main(int argc, char** argv) {
     options.number("--seed", request.seed, "seed of all random rays", 0);
     options.number("--rounds", request.rounds,
                    "how often each method is measured, after one round that is dropped", 1, 1000);
+    add_job_options(options, request.jobs);
     return options.run(argc, argv, [&] {
         refuse_window(picture);
+        if (!request.jobs.file.empty()) {
+            write_report_jobs(request, words_without(argc, argv,
+                                                     {"--jobs-file", "--results", "--trade-offs",
+                                                      "--knobs", "--out", "--json"}));
+            return;
+        }
+        if (!request.jobs.merge.empty()) {
+            merge_report(picture, request);
+            return;
+        }
         request.effort = full ? full_effort() : Effort{};
         if (options.given("--size")) {
             request.effort.picture_size = side_of_pictures(picture.size);

@@ -1,5 +1,6 @@
 #include "make_report.h"
 
+#include "basics/data_folder.h"
 #include "basics/error.h"
 #include "basics/file.h"
 #include "basics/text.h"
@@ -246,8 +247,8 @@ Numbers to_numbers(const AccuracyReport& report) {
 void make_page(const std::filesystem::path& json) {
     std::filesystem::path page = json;
     page.replace_extension(".html");
-    std::string words[] = {"python3", "-B", RAYSTEPS_SOURCE_DIR "/scripts/accuracy_page",
-                           json.string()};
+    const auto scripts = data_folder(RAYSTEPS_SOURCE_DIR "/scripts", "scripts");
+    std::string words[] = {"python3", "-B", (scripts / "accuracy_page").string(), json.string()};
     char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
                          nullptr};
     pid_t child = 0;
@@ -400,6 +401,48 @@ void make_report(const PictureOptions& options, const ReportRequest& request) {
     write_figures(options.json, head, figures);
     std::cout << std::flush;
     make_page(options.out / "accuracy.json");
+}
+
+void write_report_jobs(const ReportRequest& request, const std::vector<std::string>& words) {
+    std::vector<Job> jobs;
+    for (const TradeOffMaker& maker : chosen_makers(request.trade_offs)) {
+        jobs.push_back({maker.name, {"--trade-offs", maker.name}});
+    }
+    write_jobs(request.jobs, words, jobs);
+}
+
+void merge_report(const PictureOptions& picture, const ReportRequest& request) {
+    const JobParts parts = read_parts(request.jobs.merge, "accuracy.schema.json");
+    Numbers all{{"head", head_of(parts)},
+                {"circumstances", common_member(parts, "circumstances")},
+                {"scene_needs", common_member(parts, "scene_needs")},
+                {"advice", empty_list()},
+                {"trade_offs", empty_list()}};
+    std::string csv;
+    for (std::size_t i = 0; i < parts.figures.size(); ++i) {
+        for (const std::string name : {"advice", "trade_offs"}) {
+            for (const Numbers& one : parts.figures[i].at(name).values()) {
+                all[name].push_back(one);
+            }
+        }
+        const std::filesystem::path folder = request.jobs.merge / parts.names[i];
+        const std::string own = read_file(folder / "accuracy.csv", most_bytes_of_report);
+        csv += csv.empty() ? own : own.substr(own.find('\n') + 1);
+        if (std::filesystem::exists(folder / "pictures")) {
+            std::filesystem::create_directories(picture.out);
+            std::filesystem::copy(folder / "pictures", picture.out / "pictures",
+                                  std::filesystem::copy_options::recursive |
+                                      std::filesystem::copy_options::overwrite_existing);
+        }
+    }
+    write_text(picture.out / "accuracy.csv", csv);
+    write_text(picture.out / "accuracy.json", all.to_json() + "\n");
+    if (!picture.json.empty()) {
+        write_text(picture.json, all.to_json() + "\n");
+    }
+    std::cout << std::flush;
+    make_page(picture.out / "accuracy.json");
+    check_complete(parts);
 }
 
 } // namespace raysteps

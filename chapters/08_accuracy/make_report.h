@@ -1,5 +1,6 @@
 #pragma once
 
+#include "program/jobs.h"
 #include "program/options.h"
 #include "trade_off.h"
 
@@ -14,6 +15,7 @@ struct ReportRequest {
     int seed = 1;
     int rounds = 9;
     bool own_scene = false; // aim the families of rays at the scene, not at the usual sphere
+    JobOptions jobs{};
 };
 
 // That of --full.
@@ -34,5 +36,12 @@ int side_of_pictures(const PictureSize& size);
 // work whether files can be written there, and the one of --json; throws InputError where they
 // cannot, and MachineError where there is no Python to make the page.
 void make_report(const PictureOptions& picture, const ReportRequest& request);
+
+// A command for each trade-off (program/jobs.h); the words are those of this command line.
+void write_report_jobs(const ReportRequest& request, const std::vector<std::string>& words);
+
+// The same files of what these commands measured. Throws Error with exit code 1 where parts are
+// missing.
+void merge_report(const PictureOptions& picture, const ReportRequest& request);
 
 } // namespace raysteps

@@ -2,8 +2,10 @@
 
 #include "basics/error.h"
 #include "basics/text.h"
+#include "mirror/left_out.h"
 #include "mirror/trace_by_mirror.h"
 #include "reference/allowed_answers.h"
+#include "reference/exact.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/check_bvh.h"
 #include "structure/padding.h"
@@ -109,10 +111,15 @@ WrongAnswer with_cause(WrongAnswer wrong, const BoxTree& tree, const TreePaths& 
 
 } // namespace
 
-AnswerCheck check_walks(const AnyTree& tree, const Scene& scene, std::span<const Ray> rays) {
+std::vector<Hit> hits_through(const AnyTree& tree, const Scene& scene, std::span<const Ray> rays) {
     const mirror::SceneBuffers buffers(scene);
     const Packed packed = packed_for_walk(tree, scene.corners);
-    const std::vector<Hit> given = mirror_walks().at(packed.walk)(buffers, packed.structure, rays);
+    return mirror_walks().at(packed.walk)(buffers, packed.structure, rays);
+}
+
+AnswerCheck check_walks(const AnyTree& tree, const Scene& scene, std::span<const Ray> rays) {
+    const mirror::SceneBuffers buffers(scene);
+    const std::vector<Hit> given = hits_through(tree, scene, rays);
     const std::vector<Hit> own = through_own_tree(scene, buffers, rays);
     AnswerCheck check{.rays = rays.size()};
     check.judged = confirm(scene, buffers, rays, given, own);

@@ -30,7 +30,11 @@ struct AnswerCheck {
     std::vector<WrongAnswer> wrong{};
 };
 
-// What walks through the tree find. Throws InputError where none goes through it, and DisputeError
+// What the walk of the tree's kind finds in it: bvh_ordered, bvh4, kd_ropes or grid. Throws
+// InputError where none goes through it.
+std::vector<Hit> hits_through(const AnyTree& tree, const Scene& scene, std::span<const Ray> rays);
+
+// What is wrong with these. Throws InputError where none goes through it, and DisputeError
 // where our own tree is wrong.
 AnswerCheck check_walks(const AnyTree& tree, const Scene& scene, std::span<const Ray> rays);
 

@@ -4,7 +4,7 @@
 #include "basics/text.h"
 #include "reference/embree/embree.h"
 #include "structure/bvh/build_bvh.h"
-#include "structure/bvh/check_bvh.h"
+#include "structure/bvh/find_faults.h"
 #include "structure/grid/check_grid.h"
 #include "structure/kd_tree/check_kd_tree.h"
 #include "structure/padding.h"

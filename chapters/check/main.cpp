@@ -51,6 +51,25 @@ AnyTree own_tree(const CheckRequest& request, const Scene& scene) {
                      ": it has no tree to write. Take a BVH, a kd-tree or a grid.");
 }
 
+// The tree of --tree, in the scene's numbers, or one of our own.
+TreeFile tree_to_export(const CheckRequest& request, const Scene& scene) {
+    const auto asked = request.build_values.find("tree");
+    if (asked != request.build_values.end()) {
+        TreeFile file = read_tree_file(asked->second);
+        return {file.made_by, in_numbers_of(file, scene.corners)};
+    }
+    return {"Raysteps " + request.structure, own_tree(request, scene)};
+}
+
+void export_tree(const CheckRequest& request, const Scene& scene) {
+    TreeFile file = tree_to_export(request, scene);
+    if (request.triangles_inside) {
+        file.corners = scene.corners;
+    }
+    write_tree_file(request.exported, file);
+    print_written(request.exported);
+}
+
 // `RAY,TRIANGLE`, both from 0.
 std::pair<std::size_t, std::int32_t> parse_why(const std::string& text, std::size_t rays,
                                                int triangles) {
@@ -115,10 +134,7 @@ std::optional<AnswerCheck> try_walks(const AnyTree& tree, const Scene& scene,
 void run_check(const CheckRequest& request) {
     const Scene scene = load_scene(request.scene);
     if (!request.exported.empty()) {
-        write_tree_file(request.exported,
-                        {"Raysteps " + request.structure, own_tree(request, scene),
-                         request.triangles_inside ? scene.corners : std::vector<glm::vec3>()});
-        print_written(request.exported);
+        export_tree(request, scene);
         return;
     }
     const std::vector<Ray> rays =
@@ -179,10 +195,6 @@ void refuse_contradictions(const CheckRequest& request) {
         throw InputError("name a file with --tree, or hits with --judge, or --export one of "
                          "our own.");
     }
-    if (tree && !request.exported.empty()) {
-        throw InputError("--tree and --export: one is read, and the other is written. Leave "
-                         "one out.");
-    }
     if ((!request.hits.empty() || !request.why.empty()) && request.rays.empty()) {
         throw InputError("--judge and --why are about the rays of a file. Name it with "
                          "--rays.");
@@ -203,8 +215,9 @@ int main(int argc, char** argv) {
                        "hits that another program found for --rays (.f32 or .csv): check these");
     options.text("--why", request.why,
                  "RAY,TRIANGLE: why that ray of --rays does not come to that triangle");
-    options.output_file("--export", request.exported,
-                        "write our own structure to this file, and check nothing");
+    options.output_file(
+        "--export", request.exported,
+        "write our own structure, or that of --tree, to this file, and check nothing");
     options.flag("--triangles-inside", request.triangles_inside,
                  "with the triangles themselves in the file of --export");
     options.text("--structure", request.structure,

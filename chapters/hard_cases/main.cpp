@@ -5,6 +5,7 @@
 #include "fuzz.h"
 #include "hard_cases/hard_cases.h"
 #include "program/figures.h"
+#include "program/jobs.h"
 #include "program/options.h"
 #include "trials.h"
 
@@ -31,6 +32,7 @@ struct TrialRequest {
     std::string tree;            // of the case's mesh
     std::filesystem::path mesh;  // for that of the case
     std::filesystem::path suite; // the folder of the conformance suite
+    JobOptions jobs;
 };
 
 constexpr int rays_of_the_long_form = 10000000;
@@ -43,10 +45,18 @@ void list_trials() {
 }
 
 std::vector<Trial> chosen_trials(const TrialRequest& request) {
-    if (!request.name.empty()) {
-        return {find_trial(request.name)};
+    if (request.name.empty()) {
+        return request.is_long ? leak_trials() : all_trials();
     }
-    return request.is_long ? leak_trials() : all_trials();
+    const Trial& named = find_trial(request.name);
+    if (request.is_long) {
+        for (const Trial& trial : leak_trials()) {
+            if (trial.name == named.name) {
+                return {trial};
+            }
+        }
+    }
+    return {named};
 }
 
 std::vector<TrialResult> try_all(const std::vector<Trial>& trials, TrialTools tools) {
@@ -103,6 +113,66 @@ Numbers numbers_of(std::span<const TrialResult> results) {
     return cases;
 }
 
+// The rows of a part's figures.
+TrialResult result_of(const Numbers& figures) {
+    TrialResult result{find_trial(figures.at("case").text()), {}};
+    for (const Numbers& row : figures.at("rows").values()) {
+        const std::string& verdict = row.at("verdict").text();
+        result.rows.push_back({row.at("method").text(), row.at("where").text(),
+                               row.at("expected").text(), row.at("got").text(),
+                               verdict == to_words(Verdict::pass)   ? Verdict::pass
+                               : verdict == to_words(Verdict::fail) ? Verdict::fail
+                                                                    : Verdict::reported,
+                               static_cast<std::size_t>(row.at("tried").number()),
+                               static_cast<std::size_t>(row.at("wrong").number())});
+    }
+    return result;
+}
+
+// Throws Error with exit code 1 where a promise is broken.
+void check_promises(std::span<const TrialResult> results) {
+    const std::size_t broken = count_rows(results, Verdict::fail);
+    std::cout << "\n"
+              << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "
+              << count_rows(results, Verdict::reported)
+              << " figures that nothing was promised for\n";
+    if (broken > 0) {
+        throw Error(ExitCode::check_failed,
+                    "promises broken: " + std::to_string(broken) +
+                        ". See the lines that say FAIL, and run one case again with --case.");
+    }
+}
+
+void write_trial_jobs(const TrialRequest& request, const std::vector<std::string>& words) {
+    std::vector<Job> jobs;
+    for (const Trial& trial : chosen_trials(request)) {
+        jobs.push_back({trial.name, {"--case", trial.name}});
+    }
+    write_jobs(request.jobs, words, jobs);
+}
+
+void merge_trials(const TrialRequest& request) {
+    const JobParts parts = read_parts(request.jobs.merge, "hard_cases.schema.json");
+    std::vector<TrialResult> results;
+    for (const Numbers& figures : parts.figures) {
+        for (const Numbers& one : figures.at("cases").values()) {
+            results.push_back(result_of(one));
+            std::cout << to_table(results.back(), Colors::none);
+        }
+    }
+    if (!request.csv.empty()) {
+        write_file(request.csv, to_csv(results));
+    }
+    if (!request.json.empty()) {
+        const Numbers all{{"head", head_of(parts)},
+                          {"seed", common_member(parts, "seed")},
+                          {"cases", numbers_of(results)}};
+        write_text(request.json, all.to_json() + "\n");
+    }
+    check_complete(parts);
+    check_promises(results);
+}
+
 // Throws Error with exit code 1 where a promise is broken.
 void run_trials(const TrialRequest& request) {
     if (!request.suite.empty()) {
@@ -139,16 +209,7 @@ void run_trials(const TrialRequest& request) {
     }
     write_figures(request.json, {.schema = "hard_cases.schema.json"},
                   {{"seed", request.seed}, {"cases", numbers_of(results)}});
-    const std::size_t broken = count_rows(results, Verdict::fail);
-    std::cout << "\n"
-              << count_rows(results, Verdict::pass) << " promises kept, " << broken << " broken, "
-              << count_rows(results, Verdict::reported)
-              << " figures that nothing was promised for\n";
-    if (broken > 0) {
-        throw Error(ExitCode::check_failed,
-                    "promises broken: " + std::to_string(broken) +
-                        ". See the lines that say FAIL, and run one case again with --case.");
-    }
+    check_promises(results);
 }
 
 } // namespace
@@ -189,8 +250,19 @@ int main(int argc, char** argv) {
                              "--case.");
         }
     });
-    options.excludes("--fuzz", {"--json", "--csv", "--mesh", "--tree"});
-    options.excludes("--suite",
-                     {"--case", "--long", "--fuzz", "--json", "--csv", "--mesh", "--tree"});
-    return options.run(argc, argv, [&] { run_trials(request); });
+    add_job_options(options, request.jobs);
+    options.excludes("--fuzz", {"--json", "--csv", "--mesh", "--tree", "--jobs-file", "--merge"});
+    options.excludes("--suite", {"--case", "--long", "--fuzz", "--json", "--csv", "--mesh",
+                                 "--tree", "--jobs-file", "--merge"});
+    return options.run(argc, argv, [&] {
+        if (!request.jobs.file.empty()) {
+            write_trial_jobs(request, words_without(argc, argv,
+                                                    {"--jobs-file", "--results", "--case", "--out",
+                                                     "--json", "--csv"}));
+        } else if (!request.jobs.merge.empty()) {
+            merge_trials(request);
+        } else {
+            run_trials(request);
+        }
+    });
 }

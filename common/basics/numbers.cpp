@@ -153,6 +153,10 @@ std::string Numbers::to_json() const {
     return json_of(*this).dump(2);
 }
 
+std::string Numbers::to_json_line() const {
+    return json_of(*this).dump();
+}
+
 Numbers parse_json(const std::string& text, const std::filesystem::path& path) {
     try {
         return numbers_of(Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {

@@ -49,6 +49,7 @@ public:
 
     // As JSON, indented by 2, with the fewest digits that give the same numbers again.
     std::string to_json() const;
+    std::string to_json_line() const; // without spaces and line ends: of files for programs
 
     using Value = std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double,
                                std::string, List, Object>;

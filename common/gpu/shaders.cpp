@@ -1,5 +1,6 @@
 #include "gpu/shaders.h"
 
+#include "basics/data_folder.h"
 #include "basics/error.h"
 #include "basics/text.h"
 
@@ -179,7 +180,7 @@ std::filesystem::path find_shader(const std::string& file, const std::filesystem
 }
 
 std::filesystem::path shader_folder() {
-    return RAYSTEPS_SHADER_DIR;
+    return data_folder(RAYSTEPS_SHADER_DIR, "shaders");
 }
 
 ShaderText read_shader(const std::string& pass, const Parts& parts,

@@ -86,6 +86,58 @@ Numbers numbers_of(const SceneCosts& costs) {
     return {{"scene", costs.scene}, {"structures", builds}, {"kinds", kinds}};
 }
 
+namespace {
+
+std::size_t count_at(const Numbers& row, const std::string& name) {
+    const Numbers* const known = row.find(name);
+    return known == nullptr ? 0 : static_cast<std::size_t>(known->number());
+}
+
+MeasuredRange range_at(const Numbers& row, const std::string& median, const std::string& lowest,
+                       const std::string& highest) {
+    return {row.at(median).number(), row.at(lowest).number(), row.at(highest).number()};
+}
+
+RayCosts row_of(const Numbers& row, const std::string& kind) {
+    RayCosts costs{.contender = row.at("contender").text(),
+                   .kind = kind,
+                   .rays = count_at(row, "rays"),
+                   .all_rays = count_at(row, "all_rays"),
+                   .rate = range_at(row, "million_rays_per_second", "lowest", "highest"),
+                   .cpu_rate = range_at(row, "million_rays_per_cpu_second", "lowest_by_cpu_time",
+                                        "highest_by_cpu_time"),
+                   .cores = row.at("busy_cores").number(),
+                   .different = count_at(row, "other_answers"),
+                   .judged = count_at(row, "judged_rays")};
+    if (!is_embree(costs.contender)) {
+        costs.visits_per_ray = row.at("visits_per_ray").number();
+        costs.tests_per_ray = row.at("tests_per_ray").number();
+    }
+    if (const Numbers* const ratio = row.find("to_embree")) {
+        costs.to_embree = range_at(*ratio, "median", "lowest", "highest");
+    }
+    return costs;
+}
+
+} // namespace
+
+SceneCosts scene_costs_of(const Numbers& numbers) {
+    SceneCosts costs{.scene = numbers.at("scene").text()};
+    for (const Numbers& build : numbers.at("structures").values()) {
+        BuildCosts own{build.at("contender").text(), {}};
+        for (const auto& [name, value] : build.at("facts").members()) {
+            own.facts.push_back({name, value.number()});
+        }
+        costs.builds.push_back(std::move(own));
+    }
+    for (const Numbers& kind : numbers.at("kinds").values()) {
+        for (const Numbers& row : kind.at("walks").values()) {
+            costs.rays.push_back(row_of(row, kind.at("kind").text()));
+        }
+    }
+    return costs;
+}
+
 void measure_walks(const std::vector<std::string>& structures, const PictureOptions& picture,
                    const TraceOptions& tracing, const Scene& scene) {
     check_build_values(tracing.build_values, structures);

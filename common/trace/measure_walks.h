@@ -18,6 +18,10 @@ SceneCosts measure_or_dispute(StructureContest& contest, const Scene& scene,
 // (scene_costs.schema.json).
 Numbers numbers_of(const SceneCosts& costs);
 
+// What numbers_of was made of, but for the number of triangles. Throws InputError where it is
+// something else.
+SceneCosts scene_costs_of(const Numbers& numbers);
+
 // --measure: what walks through these structures cost on the scene, as a table, and as the file of
 // --json.
 void measure_walks(const std::vector<std::string>& structures, const PictureOptions& picture,

@@ -7,7 +7,7 @@ import shlex
 import signal
 import subprocess
 
-from scene import obj_of, write_floats
+from scene import obj_of, run_check, write_floats
 
 
 def call(command, files, seconds, memory=None):
@@ -47,7 +47,6 @@ class Engine:
             folder / name for name in ("model.obj", "triangles.f32", "ray.f32", "hit.f32"))
         self.verdict = folder / "verdict.json"
         self.right = -1  # the triangle of the last right answer, among those that were given
-        self.calls = 0
 
     def failure(self, triangles, ray):
         """`wrong`, `crash` or `timeout`; empty where the answer is right."""
@@ -55,7 +54,6 @@ class Engine:
         write_floats(self.packed, [number for triangle in triangles for number in triangle])
         write_floats(self.ray, ray)
         self.hit.unlink(missing_ok=True)
-        self.calls += 1
         files = {"%m": self.model, "%t": self.packed, "%r": self.ray, "%h": self.hit}
         ended = call(self.command, files, self.seconds)
         if ended == "timeout":
@@ -71,11 +69,8 @@ class Engine:
         if not exists:
             self.hit.write_bytes(b"\0\0\x80\x7f" + bytes(8) + b"\xff\xff\xff\xff")  # a miss, to be told what is right
         self.verdict.unlink(missing_ok=True)
-        run = subprocess.run([self.check, "--scene", self.model, "--rays", self.ray, "--judge", self.hit,
-                              "--out", self.verdict.parent, "--json", self.verdict],
-                             capture_output=True, text=True, check=False)
-        if run.returncode not in (0, 1):
-            raise subprocess.SubprocessError(f"check said: {run.stderr.strip()}")
+        run_check(self.check, "--scene", self.model, "--rays", self.ray, "--judge", self.hit,
+                  "--out", self.verdict.parent, "--json", self.verdict)
         first = json.loads(self.verdict.read_text())["answers"]["first_wrong"]
         if first:
             self.answer, self.right = "wrong", first[0]["right_triangle"]

@@ -10,28 +10,31 @@ class ShrinkError(Exception):
 
 
 class Reduction:
-    """The fewest triangles, by their numbers, with which the engine fails as it did: without any one of them, it
-    does not. What is known is kept in a file, from which the same reduction goes on."""
+    """The fewest of so many parts with which `fails` still holds: without any one of them, it does not. What is known
+    is kept in a file, from which the same reduction goes on."""
 
-    def __init__(self, engine, triangles, ray, failure, state, asked):
-        self.engine, self.triangles, self.ray, self.failure = engine, triangles, ray, failure
+    def __init__(self, count, fails, state, asked, parts_are):
+        self.ask = fails
+        self.calls = 0
         self.state = state
-        self.key = hashlib.sha256(json.dumps([asked, len(triangles)]).encode()).hexdigest()
-        self.kept = list(range(len(triangles)))
+        self.parts_are = parts_are
+        self.key = hashlib.sha256(json.dumps([asked, count]).encode()).hexdigest()
+        self.kept = list(range(count))
         self.parts = 2
         if state.exists():
             known = json.loads(state.read_text())
             if known.get("key") == self.key:
                 self.kept, self.parts = known["kept"], known["parts"]
-                print(f"goes on with {len(self.kept)} triangles, from {state}")
+                print(f"goes on with {len(self.kept)} {parts_are}, from {state}")
 
     def fails_with(self, numbers):
         self.show(len(numbers))
-        return self.engine.failure([self.triangles[i] for i in numbers], self.ray) == self.failure
+        self.calls += 1
+        return self.ask(numbers)
 
     def show(self, tried):
         if sys.stderr.isatty():
-            print(f"\r\033[K{len(self.kept)} triangles are left; call {self.engine.calls}, with {tried}",
+            print(f"\r\033[K{len(self.kept)} {self.parts_are} are left; call {self.calls}, with {tried}",
                   end="", file=sys.stderr, flush=True)
 
     def keep(self, numbers, parts):

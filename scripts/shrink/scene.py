@@ -2,10 +2,11 @@
 
 import array
 import csv
-import json
 import struct
 import subprocess
 from pathlib import Path
+
+from tree_file import read_tree_file
 
 COLUMNS = ["origin_x", "origin_y", "origin_z", "direction_x", "direction_y", "direction_z", "t_min", "t_max"]
 
@@ -13,12 +14,17 @@ COLUMNS = ["origin_x", "origin_y", "origin_z", "direction_x", "direction_y", "di
 def read_triangles(check, scene, folder):
     """Nine floats each, as the scene has them."""
     path = folder / "scene.rstree"
-    subprocess.run([check, "--scene", scene, "--export", path, "--triangles-inside"], check=True, stdout=subprocess.DEVNULL)
-    data = path.read_bytes()
-    size = int.from_bytes(data[16:24], "little")
-    described = json.loads(data[24:24 + size])["arrays"]["corners"]
-    start = (24 + size + 15) // 16 * 16 + described["at"]
-    return list(struct.iter_unpack("<9f", data[start:start + 36 * described["count"]]))
+    run_check(check, "--scene", scene, "--export", path, "--triangles-inside")
+    _, arrays = read_tree_file(path.read_bytes())
+    return list(struct.iter_unpack("<9f", arrays["corners"].data))
+
+
+def run_check(check, *words):
+    """Throws what it said where it could not do it."""
+    run = subprocess.run([check, *words], capture_output=True, text=True, check=False)
+    if run.returncode not in (0, 1):
+        raise subprocess.SubprocessError(run.stderr.strip())
+    return run.stdout
 
 
 def read_rays(path):
@@ -72,10 +78,19 @@ sys.exit(found[3] != RIGHT)
 '''
 
 
-def write_case(folder, triangles, ray, right, command):
-    """An OBJ file, a ray file and a test that needs nothing else; their paths."""
-    model, rays, test = folder / "shrunk.obj", folder / "shrunk.csv", folder / "test_case.py"
+def write_model_and_ray(folder, triangles, ray):
+    """Their paths; the second is None where there is no ray."""
+    model, rays = folder / "shrunk.obj", folder / "shrunk.csv"
     model.write_text(obj_of(triangles))
+    if ray is None:
+        rays.unlink(missing_ok=True)
+        return model, None
     rays.write_text(",".join(COLUMNS) + "\n" + ",".join("%.9g" % number for number in ray) + "\n")
+    return model, rays
+
+
+def write_case(folder, triangles, ray, right):
+    """An OBJ file, a ray file and a test that needs nothing else; their paths."""
+    test = folder / "test_case.py"
     test.write_text(TEST.format(triangles=len(triangles), model=obj_of(triangles), ray=tuple(ray), right=right))
-    return [model, rays, test]
+    return [*write_model_and_ray(folder, triangles, ray), test]

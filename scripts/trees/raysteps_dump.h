@@ -1,10 +1,13 @@
-// Writes what Raysteps reads of other programs: trees, hits and rays (docs/tree_files.md,
-// docs/ray_files.md). C++17, one header, no dependencies; for little-endian machines.
+// Writes what Raysteps reads of other programs: trees, hits, rays and the steps of a walk
+// (docs/tree_files.md, docs/ray_files.md). C++17, one header, no dependencies; for little-endian
+// machines.
 #ifndef RAYSTEPS_DUMP_H
 #define RAYSTEPS_DUMP_H
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -101,6 +104,85 @@ inline bool hits(const std::string& path, const float* t, const float* u, const 
 inline bool rays(const std::string& path, const float* eight_each, std::size_t count) {
     std::ofstream file(path, std::ios::binary);
     file.write(reinterpret_cast<const char*>(eight_each), static_cast<std::streamsize>(32 * count));
+    file.close();
+    return static_cast<bool>(file);
+}
+
+// What a walk has found; -1 is the triangle of a miss.
+struct Hit {
+    float t;
+    float u;
+    float v;
+    std::int32_t triangle;
+};
+
+// A node that a walk came to. `outcome` is "entered", "missed", "behind" or "leaf"; empty leaves it
+// open. Where `has_box` is set, the box is drawn.
+struct Step {
+    std::int32_t node;
+    std::string outcome;
+    bool has_box;
+    float lower[3];
+    float upper[3];
+    std::vector<std::int32_t> tested; // triangles, in their order
+    Hit nearest;                      // so far
+};
+
+namespace parts {
+
+inline std::string number(float value) {
+    if (std::isnan(value)) {
+        return "\"nan\"";
+    }
+    if (std::isinf(value)) {
+        return value > 0 ? "\"infinity\"" : "\"-infinity\"";
+    }
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
+    return text;
+}
+
+inline std::string point(const float* three) {
+    return "[" + number(three[0]) + ", " + number(three[1]) + ", " + number(three[2]) + "]";
+}
+
+inline std::string hit(const Hit& found) {
+    return found.triangle < 0 ? "null"
+                              : "{\"t\": " + number(found.t) + ", \"u\": " + number(found.u) +
+                                    ", \"v\": " + number(found.v) +
+                                    ", \"triangle\": " + std::to_string(found.triangle) + "}";
+}
+
+} // namespace parts
+
+// The steps of one ray (eight floats as of `rays`), to be held against ours by
+// `./run.sh view --steps FILE`. The name is what the walk is called there, without quotes.
+inline bool steps(const std::string& path, const std::string& name, const float* ray,
+                  const std::vector<Step>& walk, const Hit& found) {
+    std::string text =
+        "{\"schema\": \"walk.schema.json\", \"schema_version\": 1, \"name\": \"" + name +
+        "\", \"structure\": \"" + name + "\",\n\"ray\": {\"origin\": " + parts::point(ray) +
+        ", \"direction\": " + parts::point(ray + 3) + ", \"t_min\": " + parts::number(ray[6]) +
+        ", \"t_max\": " + parts::number(ray[7]) + "},\n\"question\": \"nearest\", \"steps\": [";
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+        const Step& step = walk[i];
+        text += (i == 0 ? "\n" : ",\n") + std::string("{\"place\": ") + std::to_string(step.node);
+        if (!step.outcome.empty()) {
+            text += ", \"outcome\": \"" + step.outcome + "\"";
+        }
+        if (step.has_box) {
+            text +=
+                ", \"box\": [" + parts::point(step.lower) + ", " + parts::point(step.upper) + "]";
+        }
+        text += ", \"tested\": [";
+        for (std::size_t k = 0; k < step.tested.size(); ++k) {
+            text += (k == 0 ? "" : ", ") + std::to_string(step.tested[k]);
+        }
+        text += "], \"nearest\": " + parts::hit(step.nearest) + "}";
+    }
+    text += "],\n\"ended\": true, \"hit\": " + parts::hit(found) + "}\n";
+    std::ofstream file(path, std::ios::binary);
+    file << text;
     file.close();
     return static_cast<bool>(file);
 }

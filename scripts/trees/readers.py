@@ -1,10 +1,6 @@
-"""What other programs save, as the head and the arrays of a tree file."""
+"""What other libraries save, as the head and the arrays of a tree file."""
 
-import ast
-import io
-import json
 import struct
-import zipfile
 
 from tree_file import Array, TreeError
 
@@ -68,72 +64,3 @@ def read_madmann91(data):
     return ({"kind": "bvh", "made_by": "madmann91/bvh", "triangles": "scene", "children_per_node": 2, "links": "pair",
              "splits": triangle_count > len(set(struct.unpack(f"<{triangle_count}I", order)))},
             {"nodes": Array(bytes(records), 32, fields), "order": Array(order, 4, TRIANGLE)})
-
-
-# --- NumPy ---
-
-def field_of(name, described, at):
-    """A field of a tree file for a dtype as NPY files spell it: '<f4', ('<f4', (3,))."""
-    kind, shape = described if isinstance(described, tuple) else (described, ())
-    types = {"f": "float", "i": "int", "u": "uint"}
-    if not isinstance(kind, str) or len(kind) != 3 or kind[0] not in "<|" or kind[1] not in types or not kind[2].isdigit():
-        raise TreeError(f"the field {name} is of the type {kind!r}. Take little-endian floats and integers.")
-    values = 1
-    for size in shape:
-        values *= size
-    return (name, f"{types[kind[1]]}{8 * int(kind[2])}", at, values), int(kind[2]) * values
-
-
-def read_npy(data, name, plain):
-    """One array of a .npz file. The records of a plain array are its rows, and `plain` is the name of their field."""
-    if data[:6] != b"\x93NUMPY" or data[6] not in (1, 2, 3):
-        raise TreeError(f"{name} is no NPY file.")
-    size_bytes = 2 if data[6] == 1 else 4
-    size = int.from_bytes(take(data, 8, size_bytes, name), "little")
-    start = 8 + size_bytes + size
-    try:
-        head = ast.literal_eval(take(data, 8 + size_bytes, size, name).decode("latin-1").strip())
-        descr, shape, in_columns = head["descr"], head["shape"], head["fortran_order"]
-    except (ValueError, SyntaxError, KeyError, TypeError) as error:
-        raise TreeError(f"the head of {name} cannot be read.") from error
-    if in_columns and len(shape) > 1:
-        raise TreeError(f"{name} lies in columns. Save numpy.ascontiguousarray of it.")
-    fields, stride = [], 0
-    if isinstance(descr, list):
-        for each in descr:
-            # A field without a name is a gap.
-            if each[0] == "":
-                stride += int(each[1][2:])
-                continue
-            field, size_of = field_of(each[0], tuple(each[1:]) if len(each) > 2 else each[1], stride)
-            fields.append(field)
-            stride += size_of
-    else:
-        field, stride = field_of(plain, (descr, tuple(shape[1:])), 0)
-        fields.append(field)
-    count = shape[0] if shape else 1
-    return Array(take(data, start, count * stride, name), stride, fields)
-
-
-def read_npz(data):
-    """An archive with the arrays under their names, and `head`: the text of the head without `arrays`."""
-    plain = {"nodes": "nodes", "order": "triangle", "corners": "points", "bounds": "bounds", "starts": "start"}
-    try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            files = {entry.removesuffix(".npy"): archive.read(entry) for entry in archive.namelist()}
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError) as error:
-        raise TreeError("it is no .npz file that can be read.") from error
-    if "head" not in files:
-        raise TreeError("it has no array `head`, the text of the head.")
-    text = read_npy(files.pop("head"), "head", "text").data
-    unknown = sorted(set(files) - set(plain))
-    if unknown:
-        raise TreeError(f"it has an array {unknown[0]}. It may have head, {', '.join(plain)}.")
-    try:
-        head = json.loads(text.decode())
-    except ValueError as error:
-        raise TreeError("`head` is no JSON text. Save numpy.frombuffer(json.dumps(head).encode(), 'u1').") from error
-    return head, {name: read_npy(files[name], name, plain[name]) for name in files}
-
-
-READERS = {"tinybvh": read_tinybvh, "madmann91": read_madmann91, "npz": read_npz}

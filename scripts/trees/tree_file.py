@@ -1,4 +1,4 @@
-"""Writes tree files: a head, then raw arrays."""
+"""Tree files: a head, then raw arrays."""
 
 import json
 import struct
@@ -42,3 +42,23 @@ def tree_file_bytes(head, arrays):
         data += array.data
     text = json.dumps({**head, "arrays": described}, indent=2).encode() + b"\n"
     return padded(MAGIC + struct.pack("<Q", len(text)) + text) + data
+
+
+def read_tree_file(data):
+    """The head without `arrays`, and these. Whether they are sound is for `check` to say."""
+    try:
+        if data[:16] != MAGIC:
+            raise TreeError("it is no tree file.")
+        size, = struct.unpack_from("<Q", data, 16)
+        head = json.loads(data[24:24 + size])
+        start = len(padded(data[:24 + size]))
+        arrays = {}
+        for name, each in head.pop("arrays").items():
+            first = start + each["at"]
+            fields = [(field["name"], field["type"], field["at"], field.get("values", 1)) for field in each["fields"]]
+            arrays[name] = Array(data[first:first + each["count"] * each["stride"]], each["stride"], fields)
+            if arrays[name].count != each["count"]:
+                raise TreeError(f"it ends within {name}.")
+        return head, arrays
+    except (struct.error, ValueError, KeyError, TypeError, ZeroDivisionError) as error:
+        raise TreeError("its head cannot be read.") from error

@@ -180,7 +180,7 @@ struct ExplainFourBoxes {
 
     float t_max;
     typename Mirror::BoxRay boxes;
-    Bvh4Child root{.cell = 0};                // which no link leads to
+    Bvh4Child root{.box = {}, .cell = 0};     // which no link leads to
     std::unordered_map<int, Bvh4Child> known; // by their links
 };
 

@@ -35,6 +35,7 @@ enum class Ending {
     all_seen,    // no node or triangle is left
     told,        // recorded elsewhere: it ends there, and why is not known
     cut,         // recorded elsewhere, and not to its end
+    no_walk,     // none can go through the structure; the hit is that of the loop
 };
 
 // One triangle test, and what it found.

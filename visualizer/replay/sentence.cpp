@@ -115,11 +115,28 @@ std::string ending_of(const RecordedWalk& walk) {
         return "the walk ends with " + hit;
     case Ending::cut:
         return "the walk was not recorded to its end: " + hit;
+    case Ending::no_walk:
+        return "no walk goes through it; right is " + hit;
     case Ending::all_seen:
         break;
     }
     return "nothing is left to visit: " + hit;
 }
+
+namespace {
+
+// Another program's nodes have its own numbers, and only boxes that it told of (told_cells).
+std::string name_of_place(const StructureCells& structure, const RecordedWalk& walk,
+                          const Step& step) {
+    const bool is_foreign = !walk.told_by.empty() && walk.structure == "every_triangle";
+    if (!is_foreign || step.cell == no_cell) {
+        return cell_name(structure, step.cell);
+    }
+    const bool leaf = structure.cells[static_cast<std::size_t>(step.cell)].leaf;
+    return (leaf ? "leaf " : "node ") + std::to_string(step.place);
+}
+
+} // namespace
 
 std::string sentence_of(const StructureCells& structure, const RecordedWalk& walk,
                         std::size_t number) {
@@ -128,15 +145,16 @@ std::string sentence_of(const StructureCells& structure, const RecordedWalk& wal
     const std::string place =
         lacks_place ? "place " + std::to_string(step.place) + " that the structure does not have"
         : step.cell == no_cell ? "triangle " + std::to_string(step.place)
-                               : cell_name(structure, step.cell);
+                               : name_of_place(structure, walk, step);
     std::string sentence = "step " + std::to_string(number + 1) + ": " + place + ", " +
                            body_of(walk, step, structure.kind == CellKind::kd_tree);
     const bool is_last = number + 1 == walk.steps.size();
     if (is_last) {
         return sentence + "; the end, " + ending_of(walk);
     }
-    const int next = walk.steps[number + 1].cell;
-    return next == no_cell ? sentence : sentence + ", on to " + cell_name(structure, next);
+    const Step& next = walk.steps[number + 1];
+    return next.cell == no_cell ? sentence
+                                : sentence + ", on to " + name_of_place(structure, walk, next);
 }
 
 } // namespace raysteps

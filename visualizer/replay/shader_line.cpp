@@ -1,5 +1,6 @@
 #include "shader_line.h"
 
+#include "basics/data_folder.h"
 #include "basics/error.h"
 
 #include <filesystem>
@@ -77,9 +78,13 @@ Words bvh_words(const RecordedWalk& walk, const Step& step, bool is_last) {
     }
 }
 
+fs::path shader_folder() {
+    return data_folder(RAYSTEPS_SHADER_DIR, "shaders");
+}
+
 // The file of a walk, from the shader folder, and the name of the folder that it is in.
 fs::path file_of(const std::string& structure) {
-    const fs::path root = RAYSTEPS_SHADER_DIR;
+    const fs::path root = shader_folder();
     for (const auto& entry : fs::recursive_directory_iterator(root / "structure")) {
         if (entry.path().filename() == structure + ".glsl") {
             return fs::relative(entry.path(), root);
@@ -106,7 +111,7 @@ Words words_of(const RecordedWalk& walk, std::size_t number) {
 }
 
 std::vector<std::string> lines_of(const fs::path& file) {
-    std::ifstream stream(fs::path(RAYSTEPS_SHADER_DIR) / file);
+    std::ifstream stream(shader_folder() / file);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) {
         lines.push_back(line);

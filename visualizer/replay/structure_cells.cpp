@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
+#include <span>
 
 namespace raysteps {
 
@@ -91,6 +93,7 @@ StructureCells tree_cells_of(const PackedStructure& packed) {
             open.push_back(i);
             continue;
         }
+        cell.first = node.link;
         cell.triangles = triangles_from(mirror, node.link);
     }
     return tree;
@@ -111,6 +114,7 @@ StructureCells wide_cells_of(const PackedStructure& packed) {
         cell.parent = child.parent;
         cell.leaf = child.leaf;
         cell.triangles = child.triangles;
+        cell.first = child.first;
         if (child.parent == 0) {
             Box& root = tree.cells[0].box;
             root = merge(root, child.box);
@@ -167,7 +171,8 @@ std::vector<Bvh4Child> bvh4_children_of(const PackedStructure& packed) {
                 child.box.upper[axis] = mirror.bvh4_planes(8 * node + 2 * axis + 1)[i];
             }
             if (child.leaf) {
-                child.triangles = triangles_from(mirror, mirror.bvh4_first_triangle(child.link));
+                child.first = mirror.bvh4_first_triangle(child.link);
+                child.triangles = triangles_from(mirror, child.first);
             }
             children.push_back(child);
         }
@@ -175,11 +180,14 @@ std::vector<Bvh4Child> bvh4_children_of(const PackedStructure& packed) {
     return children;
 }
 
-StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs) {
-    StructureCells structure = bare_cells_of(packed);
+namespace {
+
+// The cells are given so that a parent comes before its children.
+void add_up(StructureCells& structure, std::span<const std::size_t> order, const CellCosts& costs) {
     std::vector<Cell>& cells = structure.cells;
     const double whole = surface_area(whole_of(structure));
-    for (Cell& cell : cells) {
+    for (const std::size_t number : order) {
+        Cell& cell = cells[number];
         if (cell.parent != no_cell) {
             cell.depth = cells[static_cast<std::size_t>(cell.parent)].depth + 1;
         }
@@ -189,12 +197,78 @@ StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs) {
                             (cell.leaf ? costs.intersection * cell.triangles : 0.0);
         cell.cost = whole > 0.0 ? cost * surface_area(cell.box) / whole : 0.0;
     }
-    for (std::size_t i = cells.size(); i-- > 0;) {
-        if (cells[i].parent != no_cell) {
-            cells[static_cast<std::size_t>(cells[i].parent)].triangles += cells[i].triangles;
+    for (std::size_t i = order.size(); i-- > 0;) {
+        const Cell& cell = cells[order[i]];
+        if (cell.parent != no_cell) {
+            cells[static_cast<std::size_t>(cell.parent)].triangles += cell.triangles;
         }
     }
+}
+
+} // namespace
+
+StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs) {
+    StructureCells structure = bare_cells_of(packed);
+    std::vector<std::size_t> order(structure.cells.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    add_up(structure, order, costs);
     return structure;
+}
+
+StructureCells cells_of(const BoxTree& tree, const CellCosts& costs) {
+    StructureCells structure;
+    structure.kind = CellKind::bvh;
+    structure.cells.resize(tree.nodes.size());
+    std::vector<std::size_t> order; // of those that are reached
+    std::vector<char> reached(tree.nodes.size(), 0);
+    if (!tree.nodes.empty()) {
+        order.push_back(0);
+        reached[0] = 1;
+    }
+    for (std::size_t next = 0; next < order.size(); ++next) {
+        const std::size_t node = order[next];
+        structure.cells[node].leaf = is_leaf(tree, node);
+        for (const std::int32_t child : children_of(tree, node)) {
+            const auto place = static_cast<std::size_t>(child);
+            if (child >= 0 && place < tree.nodes.size() && reached[place] == 0) {
+                reached[place] = 1;
+                structure.cells[place].parent = static_cast<int>(node);
+                order.push_back(place);
+            }
+        }
+        if (structure.cells[node].leaf) {
+            structure.cells[node].triangles =
+                std::clamp(tree.nodes[node].count, 0, static_cast<int>(tree.order.size()));
+        }
+    }
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        structure.cells[i].box = tree.nodes[i].box;
+    }
+    add_up(structure, order, costs);
+    return structure;
+}
+
+BoxTree box_tree_of(const StructureCells& cells, const PackedStructure& packed) {
+    BoxTree tree;
+    tree.width = packed.integer_vectors.contains("bvh4_nodes") ? 4 : 2;
+    const auto width = static_cast<std::size_t>(tree.width);
+    tree.children.assign(width * cells.cells.size(), no_child);
+    for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+        const Cell& cell = cells.cells[i];
+        tree.nodes.push_back({cell.box, cell.first, cell.leaf ? cell.triangles : 0});
+        if (cell.parent != no_cell) {
+            std::size_t place = width * static_cast<std::size_t>(cell.parent);
+            while (tree.children[place] != no_child) {
+                ++place;
+            }
+            tree.children[place] = static_cast<std::int32_t>(i);
+        }
+    }
+    const std::vector<glm::ivec4>& corners = packed.integer_vectors.at("bvh_triangles");
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        tree.order.push_back(corners[i].w);
+    }
+    return tree;
 }
 
 std::string cell_name(const StructureCells& structure, int cell) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "basics/box.h"
+#include "structure/bvh/box_tree.h"
 #include "structure/structure.h"
 
 #include <glm/vec3.hpp>
@@ -19,6 +20,7 @@ struct Cell {
     int parent = no_cell;
     int depth = 0;
     int triangles = 0; // listed in it; of an inner node, in all leaves below together
+    int first = 0;     // of a leaf of a BVH: where its triangles begin in `bvh_triangles`
     bool leaf = true;
     int axis = no_axis; // of the plane at which a node of a kd-tree parts its box
     float split = 0.0f;
@@ -48,6 +50,14 @@ struct CellCosts {
 // there what measure_bvh says. In time linear in the cells and references.
 StructureCells cells_of(const PackedStructure& packed, const CellCosts& costs);
 
+// The nodes of a tree from a file, through which a walk need not be able to go: a cell has its
+// node's number, and the parent by which it is reached first.
+StructureCells cells_of(const BoxTree& tree, const CellCosts& costs);
+
+// The hierarchy that the walks of these cells, which are of a BVH, read; a node has its cell's
+// number.
+BoxTree box_tree_of(const StructureCells& cells, const PackedStructure& packed);
+
 // A child of a node of four (shaders/structure/bvh/bvh4_nodes.glsl).
 struct Bvh4Child {
     Box box;
@@ -56,6 +66,7 @@ struct Bvh4Child {
     int link = 0;
     bool leaf = false;
     int triangles = 0; // of a leaf
+    int first = 0;     // of them, as of a Cell
 };
 
 // All of them, node by node.

@@ -78,6 +78,7 @@ RecordedWalk walk_in_told_cells(const ToldWalk& told, RecordedWalk tests) {
             Step& step = tests.steps[i];
             step.cell = cells.at(said.place);
             step.outcome = outcome_of(said);
+            step.listed = static_cast<int>(said.tested.size());
             const auto [entry, exit] = part_in(*said.box, told.ray);
             step.entry = static_cast<float>(entry);
             step.exit = static_cast<float>(exit);

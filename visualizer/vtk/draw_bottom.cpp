@@ -3,12 +3,18 @@
 #include "paint.h"
 #include "visualizer/replay/sentence.h"
 #include "visualizer/replay/shader_line.h"
+#include "visualizer/why.h"
 
 #include <algorithm>
 
 namespace raysteps::view {
 
 namespace {
+
+std::vector<std::string> lines_of_why(const Stage& stage, const State& state) {
+    const auto why = why_of(stage, state);
+    return why ? why->lines : std::vector<std::string>{};
+}
 
 constexpr int line = 22;
 
@@ -104,6 +110,11 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
     }
     if (stage.panes().size() > 1) {
         write_parting(renderer, stage, state, y);
+        y -= line;
+    }
+    for (const std::string& text : lines_of_why(stage, state)) {
+        write(renderer, text, {margin, y},
+              {.color = warning_ink, .size = size_to_fit(text, width, 14)});
         y -= line;
     }
     if (has_note(state)) {

@@ -5,6 +5,7 @@
 #include "visualizer/cell_choice.h"
 #include "visualizer/color_scale.h"
 #include "visualizer/replay/sentence.h"
+#include "visualizer/why.h"
 
 #include <vtkNew.h>
 
@@ -105,6 +106,9 @@ DrawnCells draw_cells(vtkRenderer& renderer, const SpaceInput& input, vtkPlane* 
                      {.opacity = few ? 0.95 : 0.7, .width = few ? 1.8f : 1.0f, .clip = clip},
                      range);
     drawn.boxes = static_cast<long>(edges->GetNumberOfCells()) / 12;
+    if (input.state.why >= 0) { // what is red must be seen through all boxes around it
+        return drawn;
+    }
     if (!planes.empty() && planes.size() <= most_faces && input.state.opacity > 0.0) {
         const Shape filled = rectangles(planes, plane_values);
         add_valued_shape(renderer, filled, {.opacity = input.state.opacity, .clip = clip}, range);
@@ -129,6 +133,22 @@ void draw_selected(vtkRenderer& renderer, const SpaceInput& input) {
     add_shape(renderer, box_faces(box), {.color = selected_color, .opacity = 0.18});
 }
 
+// The triangle that is missed, and the box that left it out.
+void draw_why(vtkRenderer& renderer, const SpaceInput& input) {
+    const auto why = input.pane == 0 ? why_of(input.stage, input.state) : std::nullopt;
+    if (!why) {
+        return;
+    }
+    const Shape triangle = triangles(why->corners);
+    add_shape(renderer, triangle, {.color = warning_ink});
+    add_shape(renderer, triangle, {.color = ink, .width = 2.5f, .wireframe = true});
+    if (why->box) {
+        const std::vector<Box> box{*why->box};
+        add_shape(renderer, box_edges(box), {.color = warning_ink, .width = 3.5f});
+        add_shape(renderer, box_faces(box), {.color = warning_ink, .opacity = 0.12});
+    }
+}
+
 std::string title_of(const SpaceInput& input) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const RecordedWalk* walk = walk_in(pane, input.state);
@@ -136,6 +156,9 @@ std::string title_of(const SpaceInput& input) {
     const auto drawn = static_cast<std::size_t>(input.model->GetNumberOfCells());
     const std::string some =
         drawn < all ? std::to_string(drawn) + " of " + count_of(all, "triangle") + " drawn" : "";
+    if (!pane.refusal.empty()) {
+        return "Only its boxes are shown: " + pane.refusal;
+    }
     if (!walk) {
         return input.stage.scene().name + ", " + (some.empty() ? count_of(all, "triangle") : some);
     }
@@ -167,6 +190,7 @@ DrawnPane draw_space(vtkRenderer& renderer, const Area& area, const SpaceInput& 
     drawn.split_planes = cells.planes;
     drawn.left_out = cells.left_out;
     draw_selected(renderer, input);
+    draw_why(renderer, input);
     write_title(renderer, area, input);
     return drawn;
 }

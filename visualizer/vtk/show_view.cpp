@@ -56,7 +56,9 @@ public:
     std::function<void(const std::string& key)> on_key;
     std::function<void(const glm::ivec2& place, bool begins)> on_panel;
     std::function<bool(const glm::ivec2& place)> is_panel;
-    std::function<void(const glm::ivec2& place, bool shift)> on_click;
+    std::function<void(const glm::ivec2& place)> on_click;
+    std::function<void(const glm::ivec2& place)> on_shift_click;
+    std::function<void(const glm::ivec2& place)> on_control_click;
     std::function<void(int peels)> set_peels;
     std::function<void()> on_tick;
 
@@ -99,7 +101,9 @@ public:
         set_peels(still);
         const glm::ivec2 slipped = glm::abs(place() - start_);
         if (slipped.x <= click_room && slipped.y <= click_room) {
-            on_click(place(), GetInteractor()->GetShiftKey() != 0);
+            const bool shift = GetInteractor()->GetShiftKey() != 0;
+            const bool control = GetInteractor()->GetControlKey() != 0;
+            (shift ? on_shift_click : control ? on_control_click : on_click)(place());
         } else {
             GetInteractor()->Render();
         }
@@ -135,7 +139,16 @@ public:
             const State next = after_click(now(), stage_, place);
             begins ? change(next) : show(next); // all of a drag is one change
         };
-        style_->on_click = [this](const glm::ivec2& place, bool shift) { click(place, shift); };
+        style_->on_click = [this](const glm::ivec2& place) { click(place); };
+        style_->on_shift_click = [this](const glm::ivec2& place) {
+            const State state = now();
+            change(
+                with_selected(state, stage_, cell_under(state, stage_, *state.viewpoint, place)));
+        };
+        style_->on_control_click = [this](const glm::ivec2& place) {
+            const State state = now();
+            change(with_why_at(state, stage_, *state.viewpoint, place));
+        };
         style_->set_peels = [this](int peels) { set_peels(peels); };
         style_->on_tick = [this] { play(); };
     }
@@ -226,13 +239,8 @@ private:
         }
     }
 
-    void click(const glm::ivec2& place, bool shift) {
+    void click(const glm::ivec2& place) {
         const State state = now();
-        if (shift) {
-            change(
-                with_selected(state, stage_, cell_under(state, stage_, *state.viewpoint, place)));
-            return;
-        }
         const auto point = point_under(state, stage_, *state.viewpoint, place);
         if (point) {
             change(with_ray_to(state, stage_, *point));

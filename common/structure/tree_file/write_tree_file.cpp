@@ -73,6 +73,13 @@ void put(TreeWriter& writer, const BoxTree& tree) {
     writer.head["links"] = pairs ? "pair" : "indices";
     writer.head["splits"] = tree.splits;
     writer.head["padding"] = tree.padding;
+    if (!tree.gaps.empty()) {
+        Numbers gaps = empty_list();
+        for (const std::int32_t gap : tree.gaps) {
+            gaps.push_back(gap);
+        }
+        writer.head["gaps"] = gaps;
+    }
     Numbers fields =
         Numbers::List{field("lower", "float32", offsetof(BvhNode, box) + offsetof(Box, lower), 3),
                       field("upper", "float32", offsetof(BvhNode, box) + offsetof(Box, upper), 3),

@@ -61,6 +61,44 @@ TEST_CASE("table and JSON have a row for each scene and contender and kind", "[0
     }
 }
 
+TEST_CASE("parts of a comparison that ran by themselves are joined, and missing ones are named",
+          "[07][program]") {
+    const ScratchFolder folder("07_jobs");
+    const std::string asked = "--scenes compact:4,cornell_box --growth -1 --rounds 1 --size 16 "
+                              "--structure grid,kd_ropes,bvh_ordered ";
+    REQUIRE(run_in(folder, asked + "--jobs-file jobs --results parts"));
+    const std::string jobs = bytes_of(folder / "jobs");
+    REQUIRE(count_lines(jobs) == 2);
+    CHECK_FALSE(run_in(folder, "--merge parts"));
+    CHECK_THAT(bytes_of(folder / "errors"), contains_text("no part has left figures there"));
+    std::ofstream(folder / "one") << jobs.substr(0, jobs.find('\n'));
+    const auto run_jobs = [&](const std::string& file) {
+        const std::string line = "env -u DISPLAY -u WAYLAND_DISPLAY sh '" +
+                                 (folder / file).string() + "' >/dev/null 2>&1";
+        return std::system(line.c_str()) == 0; // NOLINT(cert-env33-c): every word is ours
+    };
+    REQUIRE(run_jobs("one"));
+    CHECK_FALSE(run_in(folder, "--merge parts"));
+    CHECK_THAT(bytes_of(folder / "errors"),
+               contains_text("1 of 2 parts are missing: cornell_box."));
+    CHECK_THAT(bytes_of(folder / "output"), contains_text(jobs.substr(jobs.find('\n') + 1)));
+    const auto some = nlohmann::json::parse(bytes_of(folder / "out/07_compare/compare.json"));
+    CHECK(some["scenes"].size() == 1);
+    REQUIRE(run_jobs("jobs"));
+    REQUIRE(run_in(folder, "--merge parts"));
+    const auto all = nlohmann::json::parse(bytes_of(folder / "out/07_compare/compare.json"));
+    REQUIRE(all["scenes"].size() == 2);
+    CHECK(all["head"]["scenes"].size() == 2);
+    CHECK(all["claims"].size() == 3 * kinds.size() + 1);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string name = all["scenes"][i]["scene"];
+        CAPTURE(name);
+        const std::string file = name == "cornell_box" ? "cornell_box" : "compact_4";
+        const auto part = nlohmann::json::parse(bytes_of(folder / ("parts/" + file + ".json")));
+        CHECK(all["scenes"][i] == part["scenes"][0]);
+    }
+}
+
 TEST_CASE("the JSON of a comparison is valid by its schema", "[07][program]") {
     const ScratchFolder folder("07_schema");
     REQUIRE(run_in(folder, "--scenes compact:4 --growth 1 --rounds 1 --size 16 --json own.json"));

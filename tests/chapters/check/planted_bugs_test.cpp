@@ -4,7 +4,8 @@
 #include "check/why.h"
 #include "files.h"
 #include "hard_cases/aimed_rays.h"
-#include "structure/bvh/check_bvh.h"
+#include "mirror/left_out.h"
+#include "structure/bvh/find_faults.h"
 #include "support/error_of.h"
 
 #include <algorithm>

@@ -12,6 +12,10 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
+sys.path.append(str(ROOT / "scripts" / "trees"))
+
+from tree_file import Array, read_tree_file, tree_file_bytes  # noqa: E402
+
 CHECK = os.environ["RAYSTEPS_CHECK"]
 
 # Eight triangles side by side along x, each one wide.
@@ -146,6 +150,14 @@ class ScriptsTest(unittest.TestCase):
                     self.assertEqual(run.returncode, 2)
                     self.assertRegex(run.stderr, r"^saved: .*\n$")
 
+    def test_arrays_come_back_from_a_tree_file(self):
+        self.converted("npz", SAVED["npz"])
+        self.assertEqual(self.run_script("trees", "to_npz", "tree.rstree", "again.npz").returncode, 0)
+        self.assertEqual(self.run_script("trees", "npz", "again.npz", "again.rstree").returncode, 0)
+        tree, again = ((self.folder / name).read_bytes() for name in ("tree.rstree", "again.rstree"))
+        self.assertEqual(tree, again)
+        self.assertEqual(self.run_script("trees", "to_npz", "model.obj", "bad.npz").returncode, 2)
+
     def test_arrays_of_other_types_are_refused_by_name(self):
         run = self.converted("npz", npz_bytes(kind=">f4"))
         self.assertIn("lower", run.stderr)
@@ -182,6 +194,54 @@ class ScriptsTest(unittest.TestCase):
         run = self.shrink("none")
         self.assertEqual(run.returncode, 2)
         self.assertIn("right answer to every ray", run.stderr)
+
+
+    def shrink_tree(self, nodes, *words):
+        """Of the tree with these nodes; what is left of the triangles and nodes."""
+        records = b"".join(struct.pack("<6f2I", *low, *high, first, count) for low, high, first, count in nodes)
+        fields = [("lower", "float32", 0, 3), ("upper", "float32", 12, 3), ("first", "uint32", 24, 1), ("count", "uint32", 28, 1)]
+        arrays = {"nodes": Array(records, 32, fields),
+                  "order": Array(struct.pack(f"<{COUNT}i", *tree()[1]), 4, [("triangle", "int32", 0, 1)])}
+        head = {"kind": "bvh", "triangles": "scene", "children_per_node": 2, "links": "pair"}
+        (self.folder / "bad.rstree").write_bytes(tree_file_bytes(head, arrays))
+        run = self.run_script("shrink", "--check", CHECK, "--scene", "model.obj", "--tree", "bad.rstree", "--out", "out", *words)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        _, left = read_tree_file((self.folder / "out" / "shrunk.rstree").read_bytes())
+        return (self.folder / "out" / "shrunk.obj").read_text().count("f "), left["nodes"].count, run.stdout
+
+    def test_a_short_box_of_a_tree_is_reduced_to_its_leaf(self):
+        nodes = tree()[0]
+        place = next(i for i, (low, _, _, count) in enumerate(nodes) if count == 1 and low[0] == 5)
+        low, high, first, count = nodes[place]
+        nodes[place] = (low, (5.1, *high[1:]), first, count)
+        self.assertEqual(self.shrink_tree(nodes)[:2], (1, 1))
+        (self.folder / "rays.f32").write_bytes(struct.pack("<16f", 2.3, 0.3, 3, 0, 0, -1, 0, 1e30, 5.3, 0.3, 3, 0, 0, -1, 0, 1e30))
+        triangles, left, said = self.shrink_tree(nodes, "--rays", "rays.f32")
+        self.assertEqual((triangles, left), (1, 1))
+        self.assertIn("the box of node does not hold it, ray 1 of rays.f32", said)
+        again = self.shrink_tree(nodes, "--rays", "rays.f32")[2]
+        self.assertIn("goes on with 1 parts of the tree", again)
+
+    def test_swapped_children_are_reduced_to_two_leaves_under_a_node(self):
+        nodes = tree()[0]
+        one, other = [i for i, (low, _, _, count) in enumerate(nodes) if count == 1 and low[0] in (0, 7)]
+        nodes[one], nodes[other] = nodes[other], nodes[one]
+        triangles, left, said = self.shrink_tree(nodes)
+        self.assertEqual((triangles, left), (2, 3))
+        self.assertIn("box does not enclose its child", said)
+
+    def test_a_cycle_is_reduced_to_the_nodes_on_it(self):
+        nodes = tree()[0]
+        inner = max(i for i, node in enumerate(nodes) if node[3] == 0)
+        nodes[inner] = (*nodes[inner][:2], 1, 0)
+        triangles, left, said = self.shrink_tree(nodes)
+        self.assertIn("bad.rstree: cycle;", said)
+        self.assertEqual(triangles, 1)
+        self.assertLessEqual(left, 4)
+
+    def test_a_sound_tree_is_told_apart(self):
+        with self.assertRaisesRegex(AssertionError, "the tree has no fault"):
+            self.shrink_tree(tree()[0])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "files.h"
-#include "structure/bvh/check_bvh.h"
+#include "structure/bvh/find_faults.h"
 #include "support/error_of.h"
 
 #include <cstring>

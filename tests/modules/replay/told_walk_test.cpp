@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "replayed.h"
 #include "visualizer/replay/parting.h"
+#include "visualizer/replay/sentence.h"
 #include "visualizer/replay/told_walk.h"
 
 using namespace raysteps;
@@ -95,7 +96,7 @@ TEST_CASE("another program's walk brings its own boxes", "[replay][told]") {
     const Hit first{1.0f, 0.25f, 0.5f, 0};
     ToldWalk told{"engine", "", "octree", along_z, Question::nearest, {}, true, first};
     told.steps = {{7, 0, {}, none, {}, Box{{-1, -1, 0}, {1, 1, 1}}},
-                  {9, 0, {0}, first, {}, Box{{-1, -1, 0}, {1, 1, 0.5f}}}};
+                  {9, 0, {0, 1}, first, {}, Box{{-1, -1, 0}, {1, 1, 0.5f}}}};
     CHECK(!is_walk_of_ours(told));
     const StructureCells cells = told_cells(told);
     REQUIRE(cells.cells.size() == 2);
@@ -106,6 +107,10 @@ TEST_CASE("another program's walk brings its own boxes", "[replay][told]") {
     CHECK(walk.steps[1].entry == 1.0f);
     CHECK(walk.steps[1].exit == 1.5f);
     CHECK(walk.hit.triangle == 0);
+    CHECK(sentence_of(cells, walk, 0).starts_with("step 1: node 7, "));
+    CHECK(sentence_of(cells, walk, 0).ends_with(", on to leaf 9"));
+    CHECK_THAT(sentence_of(cells, walk, 1),
+               contains_text("2 triangles tested, hit") && !contains_text("left out"));
 }
 
 TEST_CASE("a told test of a triangle that is not in the scene is an error", "[replay][told]") {

@@ -1,9 +1,13 @@
 #include "catch.h"
 #include "shown.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/tree_file/tree_file.h"
+#include "support/scratch_folder.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/keys.h"
 #include "visualizer/layout.h"
 #include "visualizer/pointing.h"
+#include "visualizer/why.h"
 
 #include <algorithm>
 #include <set>
@@ -15,6 +19,29 @@ namespace {
 
 glm::ivec2 middle_of(const Area& area) {
     return {area.x + area.width / 2, area.y + area.height / 2};
+}
+
+// The leaf that lists the triangle.
+std::size_t leaf_of(const BoxTree& tree, int triangle) {
+    std::size_t leaf = 0;
+    const auto lists = [&] {
+        const BvhNode& node = tree.nodes[leaf];
+        const auto first = tree.order.begin() + node.first;
+        return is_leaf(tree, leaf) &&
+               std::find(first, first + node.count, triangle) != first + node.count;
+    };
+    while (!lists()) {
+        ++leaf;
+    }
+    return leaf;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line + "\n";
+    }
+    return text;
 }
 
 } // namespace
@@ -259,4 +286,61 @@ TEST_CASE("a click from a viewpoint far away finds what the loop finds in every 
         }
     }
     CHECK(found > 100);
+}
+
+TEST_CASE("a key and a click ask which box left the missed triangle out", "[visualizer][keys]") {
+    const ScratchFolder folder("visualizer_why");
+    Stage sound;
+    State state = mirrors_state();
+    state.window = {800, 600};
+    sound.show(state);
+    const int right = walk_in(*sound.panes().front(), state)->hit.triangle;
+    REQUIRE(right != no_triangle);
+    BoxTree tree = box_tree_of(build_bvh(sound.scene().corners, {}));
+    const std::size_t leaf = leaf_of(tree, right);
+    Box& box = tree.nodes[leaf].box;
+    box.upper = box.lower;
+    write_tree_file(folder / "short.rstree", {"a test", tree});
+    state.build_values["tree"] = (folder / "short.rstree").string();
+    Stage stage;
+    stage.show(state);
+    REQUIRE(walk_in(*stage.panes().front(), state)->hit.triangle != right);
+    const State asked = after_key(state, stage, "m");
+    CHECK(asked.why == right);
+    const auto why = why_of(stage, asked);
+    REQUIRE(why);
+    const std::string text = joined(why->lines);
+    CAPTURE(text);
+    CHECK(why->lines.size() <= why_lines);
+    CHECK_THAT(text, contains_text("Node " + std::to_string(leaf) + " left it out"));
+    CHECK_THAT(text, contains_text("(0x") && contains_text("would have kept it"));
+    REQUIRE(why->box);
+    CHECK(why->box->upper == box.upper);
+    CHECK(after_key(asked, stage, "m").why == no_triangle);
+    CHECK_FALSE(why_of(stage, state));
+    // From the camera, a click on the triangle asks for it, though the walk does not find it.
+    const Area pane = layout_of(state, 1).panes.front();
+    std::set<int> clicked;
+    for (int x = pane.x; x < pane.x + pane.width; x += 5) {
+        for (int y = pane.y; y < pane.y + pane.height; y += 5) {
+            clicked.insert(with_why_at(state, stage, stage.camera(), {x, y}).why);
+        }
+    }
+    CHECK(clicked.contains(right));
+    const glm::ivec2 beside{pane.x + pane.width + 5, pane.y};
+    CHECK(with_why_at(state, stage, stage.camera(), beside).why == no_triangle);
+}
+
+TEST_CASE("of a sound tree it is said that the walk comes to the triangle", "[visualizer][keys]") {
+    for (const std::string structure : {"bvh_ordered", "bvh4", "kd_ropes"}) {
+        CAPTURE(structure);
+        Stage stage;
+        State state = mirrors_state(structure);
+        stage.show(state);
+        const auto why = why_of(stage, after_key(state, stage, "m"));
+        REQUIRE(why);
+        CHECK_THAT(why->lines.back(),
+                   contains_text(structure == "kd_ropes" ? "hierarchies of boxes"
+                                                         : "a walk comes to the triangle"));
+    }
 }

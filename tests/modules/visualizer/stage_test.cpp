@@ -1,6 +1,9 @@
 #include "basics/error.h"
 #include "catch.h"
 #include "shown.h"
+#include "structure/bvh/build_bvh.h"
+#include "structure/tree_file/tree_file.h"
+#include "support/scratch_folder.h"
 #include "visualizer/cell_choice.h"
 #include "visualizer/color_scale.h"
 #include "visualizer/framing.h"
@@ -262,4 +265,49 @@ TEST_CASE("hard cases come with a ray that breaks a usual method", "[visualizer]
         state.hard_ray = 1'000'000'000;
         CHECK_THROWS_WITH(stage.show(state), contains_text("--hard-ray"));
     }
+}
+
+TEST_CASE("of a tree that no walk can go through the boxes are shown, and the right hit",
+          "[visualizer][stage]") {
+    const ScratchFolder folder("visualizer_no_walk");
+    Stage stage;
+    State state = mirrors_state();
+    stage.show(state);
+    const Hit right = walk_in(*stage.panes().front(), state)->hit;
+    BoxTree cycle = box_tree_of(build_bvh(stage.scene().corners, {}));
+    std::size_t inner = cycle.nodes.size() - 1;
+    while (is_leaf(cycle, inner)) {
+        --inner;
+    }
+    cycle.children[2 * inner] = 0;
+    BoxTree wide = box_tree_of(build_bvh(stage.scene().corners, {}));
+    std::vector<std::int32_t> eight(8 * wide.nodes.size(), no_child);
+    for (std::size_t i = 0; i < wide.nodes.size(); ++i) {
+        eight[8 * i] = wide.children[2 * i];
+        eight[8 * i + 1] = wide.children[2 * i + 1];
+    }
+    wide.width = 8;
+    wide.children = eight;
+    for (const auto& [name, tree, sentence] :
+         {std::tuple{"cycle", cycle, "node 0 is reached twice"},
+          {"wide", wide, "up to 8 children a node"}}) {
+        CAPTURE(name);
+        const std::string path = (folder / (std::string(name) + ".rstree")).string();
+        write_tree_file(path, {"a test", tree});
+        state.build_values["tree"] = path;
+        stage.show(state);
+        const Pane& pane = *stage.panes().front();
+        CHECK_THAT(pane.refusal, contains_text(sentence));
+        REQUIRE(pane.cells.cells.size() == tree.nodes.size());
+        CHECK(pane.cells.cells[inner].box.lower == tree.nodes[inner].box.lower);
+        CHECK(pane.cells.cells[0].triangles > 0);
+        const RecordedWalk& walk = *walk_in(pane, state);
+        CHECK(walk.steps.empty());
+        CHECK(walk.hit.triangle == right.triangle);
+        State counted = state;
+        counted.heat_map = HeatMap::visits;
+        CHECK_THROWS_AS(stage.show(counted), InputError);
+    }
+    state.build_values["tree"] = (folder / "nothing.rstree").string();
+    CHECK_THROWS_AS(stage.show(state), InputError);
 }

@@ -4,7 +4,6 @@
 #include "catch.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
-#include "visualizer/read_told_walk.h"
 #include "visualizer/replay/sentence.h"
 
 #include <nlohmann/json.hpp>

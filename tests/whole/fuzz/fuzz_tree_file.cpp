@@ -2,7 +2,7 @@
 // figures and, where a walk can go through it, in arrays. Anything else stops the program, and
 // libFuzzer keeps the bytes.
 #include "basics/error.h"
-#include "structure/bvh/check_bvh.h"
+#include "structure/bvh/find_faults.h"
 #include "structure/tree_file/tree_file.h"
 
 #include <array>

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace raysteps {
+
+// The folder `shaders` or `scripts`: that of the sources, which the caller was compiled with; where
+// it is gone, that of an installation, share/raysteps/NAME beside the program's own folder or of
+// the prefix that was configured.
+std::filesystem::path data_folder(const std::filesystem::path& of_sources, const std::string& name);
+
+} // namespace raysteps
