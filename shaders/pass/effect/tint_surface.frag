@@ -1,0 +1,25 @@
+#version 410 core
+// Vertex colours: those of the corners, interpolated, times the colour that the surface has anyway.
+#include <real>
+#include "core/ray.glsl"
+#include "core/hit.glsl"
+#include "core/texels.glsl"
+#include "core/hit_texels.glsl"
+#include "core/triangles.glsl"
+#include "light/materials.glsl"
+#include <paint>
+
+// Corner c of triangle i has its colour in texel 3i + c.
+uniform samplerBuffer corner_colors;
+uniform usampler2DArray hits;
+
+out vec4 painted;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Hit hit = hit_at(hits, pixel);
+    vec3 tint = (1.0 - hit.u - hit.v) * vec3(texelFetch(corner_colors, 3 * hit.triangle)) +
+                hit.u * vec3(texelFetch(corner_colors, 3 * hit.triangle + 1)) +
+                hit.v * vec3(texelFetch(corner_colors, 3 * hit.triangle + 2));
+    painted = vec4(painted_color(pixel, triangle_material(hit.triangle)) * tint, 0.0);
+}
