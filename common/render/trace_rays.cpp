@@ -169,14 +169,17 @@ bool TraceRays::goes_in_packets(const Request& request) {
         return false;
     }
     const std::string structure = std::filesystem::path(parts_.at("packet")).stem();
-    return packets_are_faster(
+    const bool are_faster = packets_are_faster(
         structure, [this](const RayTextures& rays, const SceneTextures& scene, Packets packets) {
+            choose_cutouts(scene);
             const bool together = packets == Packets::always;
             const Texture hits(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height(),
                                together ? TexelLayout::quads : TexelLayout::one_layer);
             const Request batch{rays, scene, nullptr, -farthest};
             together ? trace_packets(batch, hits) : trace_alone(batch, hits);
         });
+    choose_cutouts(request.scene);
+    return are_faster;
 }
 
 // Only a scene with holes in its surfaces has programs that ask for them.

@@ -25,6 +25,9 @@ double edge_side(const glm::dvec3& a, const glm::dvec3& b, double x, double y) {
     return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 
+// Of the parts of a triangle: neighbours leave no gap between them.
+constexpr double rounding = 1e-12;
+
 // The pixels whose middle lies in the triangle of three projected corners.
 void fill(CoarseView& view, int triangle, bool is_back, const Corners& corners) {
     const auto& [a, b, c] = corners;
@@ -45,7 +48,7 @@ void fill(CoarseView& view, int triangle, bool is_back, const Corners& corners) 
             const double of_a = edge_side(b, c, x + 0.5, y + 0.5) / area;
             const double of_b = edge_side(c, a, x + 0.5, y + 0.5) / area;
             const double of_c = 1.0 - of_a - of_b;
-            if (of_a < 0.0 || of_b < 0.0 || of_c < 0.0) {
+            if (std::min({of_a, of_b, of_c}) < -rounding) {
                 continue;
             }
             const double depth = 1.0 / (of_a * a.z + of_b * b.z + of_c * c.z);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace raysteps {
 
@@ -192,8 +193,29 @@ Camera camera_of_file(const Scene& scene) {
     return camera;
 }
 
+// Files of some kinds hold cameras that nobody placed, or that are read wrongly: one that shows a
+// tenth of the triangles that another shows, or less, is not what a person would choose.
+constexpr std::size_t least_part_shown = 10;
+
+std::size_t count_shown(const Scene& scene, const Camera& camera, float aspect_ratio) {
+    const CoarseView view = view_of_camera(scene, camera, aspect_ratio);
+    const std::set<int> shown(view.triangles.begin(), view.triangles.end());
+    return shown.size() - shown.count(-1);
+}
+
 Camera automatic_camera(Scene& scene, float aspect_ratio, const CameraRequest& request) {
-    if (scene.file_camera) {
+    const Camera whole = frame_box(bounds_of(scene.corners), aspect_ratio, direction_of(request));
+    const bool has_camera =
+        scene.file_camera &&
+        least_part_shown * count_shown(scene, camera_of_file(scene), aspect_ratio) >=
+            count_shown(scene, whole, aspect_ratio);
+    if (scene.file_camera && !has_camera) {
+        scene.messages.push_back(scene.name +
+                                 ": the camera of its file shows hardly anything of it, "
+                                 "so another was placed." +
+                                 shown_otherwise("--camera file"));
+    }
+    if (has_camera) {
         scene.messages.push_back(scene.name + ": it is seen by the camera of its file." +
                                  shown_otherwise("--camera front"));
         return camera_of_file(scene);

@@ -183,7 +183,18 @@ TEST_CASE("named cameras look along the axes", "[scene][camera]") {
     const Camera own{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 50.0f};
     cube.file_camera = own;
     CHECK(place_camera(cube, 1.0f, {}).eye == own.eye);
+    // The same direction, seen as far away as the middle of what there is.
+    CHECK(glm::distance(place_camera(cube, 1.0f, {}).target, glm::vec3(0.0f)) < 1e-6f);
     CHECK_THAT(said_by(cube), contains_text("seen by the camera of its file"));
+}
+
+TEST_CASE("a camera of the file that shows next to nothing is not taken by itself",
+          "[scene][camera]") {
+    Scene scene = add_mesh({}, sphere({0, 0, 0}, 1.0f, 8), Material{});
+    scene.file_camera = Camera{{0, 0, 5}, {0, 0, 9}, {0, 1, 0}, 40.0f};
+    CHECK(place_camera(scene, 1.0f, {}).eye == frame_camera(scene, 1.0f).eye);
+    CHECK_THAT(said_by(scene), contains_text("shows hardly anything of it"));
+    CHECK(place_camera(scene, 1.0f, {.choice = CameraChoice::file}).eye == glm::vec3(0, 0, 5));
 }
 
 TEST_CASE("dark and light models are lit to be seen", "[scene][camera]") {

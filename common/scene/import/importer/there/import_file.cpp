@@ -6,6 +6,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/material.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -53,10 +54,16 @@ glm::dmat3 normal_matrix(const glm::dmat3& linear) {
     return glm::determinant(linear) < 0.0 ? -cofactors : cofactors;
 }
 
+bool is_gltf(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return ending == ".gltf" || ending == ".glb" || ending == ".GLTF" || ending == ".GLB";
+}
+
 class Importing {
 public:
     Importing(const aiScene& scene, const std::string& path)
-        : scene_(scene), file_name_(std::filesystem::path(path).filename().string()) {}
+        : scene_(scene), file_name_(std::filesystem::path(path).filename().string()),
+          is_gltf_(is_gltf(path)) {}
 
     MeshFile mesh();
 
@@ -67,6 +74,7 @@ private:
     void add_mesh(const aiMesh& source, const Transform& place, const std::string& object,
                   int primitive);
     void add_faces(const aiMesh& source, std::uint32_t first_vertex, bool mirrors);
+    double vertical_angle(const aiCamera& camera) const;
     void add_cameras();
     void add_lights();
     void count_textures(const aiMaterial& source);
@@ -75,6 +83,7 @@ private:
 
     const aiScene& scene_;
     std::string file_name_;
+    bool is_gltf_;
     MeshFile mesh_;
     std::map<std::string, int> not_shown_; // what, and of how many
     std::map<std::string, Transform> place_of_node_;
@@ -149,6 +158,9 @@ void Importing::count_textures(const aiMaterial& source) {
 void Importing::add_material(const aiMaterial& source) {
     Material material;
     material.name = source.GetName().C_Str();
+    if (material.name.empty()) {
+        material.name = "material " + std::to_string(mesh_.materials.size());
+    }
     aiColor4D color(0.8f, 0.8f, 0.8f, 1.0f);
     if (source.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS) {
         source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
@@ -294,6 +306,15 @@ void Importing::add_faces(const aiMesh& source, std::uint32_t first_vertex, bool
     }
 }
 
+// Of a glTF camera, Assimp before version 5.3 gives the vertical angle times the aspect ratio.
+double Importing::vertical_angle(const aiCamera& camera) const {
+    const double aspect = camera.mAspect > 0.0f ? static_cast<double>(camera.mAspect) : 1.0;
+    const double across = static_cast<double>(camera.mHorizontalFOV);
+    const bool is_product = is_gltf_ && (aiGetVersionMajor() < 5 ||
+                                         (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3));
+    return is_product ? across / aspect : 2.0 * std::atan(std::tan(0.5 * across) / aspect);
+}
+
 void Importing::add_cameras() {
     if (scene_.mNumCameras == 0) {
         return;
@@ -304,15 +325,13 @@ void Importing::add_cameras() {
     const aiCamera& source = *scene_.mCameras[0];
     const auto node = place_of_node_.find(source.mName.C_Str());
     const Transform place = node == place_of_node_.end() ? Transform{} : node->second;
-    const double aspect = source.mAspect > 0.0f ? static_cast<double>(source.mAspect) : 1.0;
-    const double across = static_cast<double>(source.mHorizontalFOV);
+    // Of a glTF camera, Assimp gives the place of its node twice.
+    const glm::dvec3 position = is_gltf_ ? glm::dvec3(0.0) : to_glm(source.mPosition);
     Camera camera;
-    camera.eye = glm::vec3(applied(place, to_glm(source.mPosition)));
-    camera.target = glm::vec3(
-        applied(place, to_glm(source.mPosition) + glm::normalize(to_glm(source.mLookAt))));
+    camera.eye = glm::vec3(applied(place, position));
+    camera.target = glm::vec3(applied(place, position + glm::normalize(to_glm(source.mLookAt))));
     camera.up = glm::vec3(place.linear * to_glm(source.mUp));
-    camera.vertical_field_of_view =
-        static_cast<float>(glm::degrees(2.0 * std::atan(std::tan(0.5 * across) / aspect)));
+    camera.vertical_field_of_view = static_cast<float>(glm::degrees(vertical_angle(source)));
     mesh_.camera = camera;
 }
 
