@@ -204,17 +204,17 @@ Image read_pfm(const std::filesystem::path& path) {
 namespace {
 
 // Row by row, with that many components a pixel.
-struct Decoded {
+struct DecodedPicture {
     int width = 0;
     int height = 0;
     int channels = 0; // of the file
     std::unique_ptr<stbi_uc, Free> components;
 };
 
-Decoded decode(const std::string& bytes, const std::string& name, int components) {
+DecodedPicture decode(const std::string& bytes, const std::string& name, int components) {
     const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
-    Decoded decoded;
+    DecodedPicture decoded;
     if (stbi_info_from_memory(start, size, &decoded.width, &decoded.height, &decoded.channels) ==
         0) {
         fail(name);
@@ -246,7 +246,7 @@ Image read_picture(const std::filesystem::path& path) {
 }
 
 Image decode_picture(const std::string& bytes, const std::string& name) {
-    const Decoded decoded = decode(bytes, name, 3);
+    const DecodedPicture decoded = decode(bytes, name, 3);
     Image image(decoded.width, decoded.height);
     const stbi_uc* component = decoded.components.get();
     for (glm::vec3& pixel : image.pixels) {
@@ -257,7 +257,7 @@ Image decode_picture(const std::string& bytes, const std::string& name) {
 }
 
 Opacity decode_opacity(const std::string& bytes, const std::string& name) {
-    const Decoded decoded = decode(bytes, name, 2); // grey and alpha
+    const DecodedPicture decoded = decode(bytes, name, 2); // grey and alpha
     Opacity opacity{decoded.width, decoded.height, decoded.channels % 2 == 0, {}};
     const std::size_t pixels =
         static_cast<std::size_t>(opacity.width) * static_cast<std::size_t>(opacity.height);

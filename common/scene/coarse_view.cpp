@@ -12,7 +12,7 @@ namespace raysteps {
 
 namespace {
 
-using Corners = std::array<glm::dvec3, 3>; // right, up and forward of the eye
+using EyeCorners = std::array<glm::dvec3, 3>; // right, up and forward of the eye
 
 // Where a corner falls, in pixels from the lower left, and one over its depth.
 glm::dvec3 projected(const CoarseView& view, const glm::dvec3& corner) {
@@ -29,7 +29,7 @@ double edge_side(const glm::dvec3& a, const glm::dvec3& b, double x, double y) {
 constexpr double rounding = 1e-12;
 
 // The pixels whose middle lies in the triangle of three projected corners.
-void fill(CoarseView& view, int triangle, bool is_back, const Corners& corners) {
+void fill(CoarseView& view, int triangle, bool is_back, const EyeCorners& corners) {
     const auto& [a, b, c] = corners;
     const double area = edge_side(a, b, c.x, c.y);
     if (area == 0.0) {
@@ -62,7 +62,7 @@ void fill(CoarseView& view, int triangle, bool is_back, const Corners& corners) 
     }
 }
 
-bool is_beside(const CoarseView& view, const Corners& corners) {
+bool is_beside(const CoarseView& view, const EyeCorners& corners) {
     const auto all = [&](const auto& is_out) {
         return std::all_of(corners.begin(), corners.end(), is_out);
     };
@@ -74,7 +74,7 @@ bool is_beside(const CoarseView& view, const Corners& corners) {
 
 // The part of the triangle before the plane at the depth `near`, as one or two triangles
 // (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
-void fill_clipped(CoarseView& view, int triangle, bool is_back, const Corners& corners,
+void fill_clipped(CoarseView& view, int triangle, bool is_back, const EyeCorners& corners,
                   double near) {
     std::array<glm::dvec3, 4> kept;
     std::size_t count = 0;
@@ -105,7 +105,7 @@ CoarseView draw_coarsely(const Scene& scene, const glm::dvec3& eye, const ViewFr
     view.depths.assign(pixels, std::numeric_limits<double>::infinity());
     view.is_back.assign(pixels, false);
     for (int i = 0; i < triangle_count(scene); ++i) {
-        Corners corners;
+        EyeCorners corners;
         double nearest = std::numeric_limits<double>::infinity();
         double farthest = 0.0;
         for (std::size_t at = 0; at < 3; ++at) {

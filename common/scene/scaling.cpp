@@ -91,7 +91,7 @@ std::string point_text(const glm::dvec3& point) {
 
 } // namespace
 
-glm::dvec3 offset_of(const WideBox& box) {
+glm::dvec3 offset_of(const DoubleBox& box) {
     const glm::dvec3 middle = 0.5 * box.lower + 0.5 * box.upper;
     const double side = greatest_of(box.upper - box.lower);
     const double farthest = std::max(greatest_of(box.lower), greatest_of(box.upper));

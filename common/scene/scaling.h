@@ -33,12 +33,12 @@ Ray scaled(const Ray& ray, int exponent);
 // coordinates are read in double, and a point near the model becomes the origin.
 
 // A box in double; empty where nothing was added.
-struct WideBox {
+struct DoubleBox {
     glm::dvec3 lower{std::numeric_limits<double>::infinity()};
     glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
 };
 
-inline void extend(WideBox& box, const glm::dvec3& point) {
+inline void extend(DoubleBox& box, const glm::dvec3& point) {
     box.lower = glm::min(box.lower, point);
     box.upper = glm::max(box.upper, point);
 }
@@ -47,7 +47,7 @@ inline void extend(WideBox& box, const glm::dvec3& point) {
 // times its largest side from the origin, where it loses at most four digits; else a point near
 // its middle, which is a multiple of a power of two, as large as a quarter of that side or more. So
 // it is a whole number where the model is larger than 4, and floats of the file stay exact.
-glm::dvec3 offset_of(const WideBox& box);
+glm::dvec3 offset_of(const DoubleBox& box);
 
 // A point of the scene as the float from which, with the origin, the same point is read again.
 glm::vec3 as_seen_from(const glm::dvec3& origin, const glm::dvec3& point);

@@ -160,7 +160,7 @@ ObjFile to_obj_file(const MeshFile& mesh, const fs::path& path, Origin origin) {
     file.path = path;
     file.counts = FindingsCount::faces;
     if (origin == Origin::near_model) {
-        WideBox box;
+        DoubleBox box;
         for (const std::uint32_t corner : mesh.corners) {
             extend(box, mesh.positions[corner]);
         }

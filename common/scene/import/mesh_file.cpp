@@ -19,7 +19,7 @@ template <class Value>
 concept Plain = std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec2> ||
     std::is_same_v<Value, glm::vec3> || std::is_same_v<Value, glm::dvec3>;
 
-class Writer {
+class MeshWriter {
 public:
     template <Plain Value>
     void visit(const Value& value) {
@@ -55,9 +55,10 @@ public:
     std::string bytes{beginning};
 };
 
-class Reader {
+class MeshReader {
 public:
-    Reader(std::string_view bytes, const std::filesystem::path& path) : rest_(bytes), path_(path) {}
+    MeshReader(std::string_view bytes, const std::filesystem::path& path)
+        : rest_(bytes), path_(path) {}
 
     template <Plain Value>
     void visit(Value& value) {
@@ -241,7 +242,7 @@ bool is_usable(const Camera& camera) {
            angle < 180.0;
 }
 
-void check_lists(const MeshFile& mesh, const Reader& reader) {
+void check_lists(const MeshFile& mesh, const MeshReader& reader) {
     const auto fits = [&](std::size_t count) {
         return count == 0 || count == mesh.positions.size();
     };
@@ -268,7 +269,7 @@ void check_lists(const MeshFile& mesh, const Reader& reader) {
     }
 }
 
-void check_groups(const MeshFile& mesh, const Reader& reader) {
+void check_groups(const MeshFile& mesh, const MeshReader& reader) {
     std::uint64_t last = 0;
     for (const MeshGroup& group : mesh.groups) {
         const bool has_material =
@@ -286,13 +287,13 @@ void check_groups(const MeshFile& mesh, const Reader& reader) {
 } // namespace
 
 std::string write_mesh_file(const MeshFile& mesh) {
-    Writer writer;
+    MeshWriter writer;
     visit_fields(writer, mesh);
     return std::move(writer.bytes);
 }
 
 MeshFile read_mesh_file(std::string_view bytes, const std::filesystem::path& path) {
-    Reader reader(bytes, path);
+    MeshReader reader(bytes, path);
     if (!bytes.starts_with(beginning)) {
         reader.fail("it does not begin as a mesh does");
     }

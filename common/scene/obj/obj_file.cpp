@@ -329,7 +329,7 @@ ObjFile ObjReading::finish(Origin origin) {
 void ObjReading::place_positions(Origin origin) {
     const std::vector<glm::dvec3>& positions = statements_.positions();
     if (origin == Origin::near_model) {
-        WideBox box;
+        DoubleBox box;
         for (const ObjCorner& corner : file_.corners)
             extend(box, positions[static_cast<std::size_t>(corner.position)]);
         file_.origin = offset_of(box);

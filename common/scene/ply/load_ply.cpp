@@ -101,31 +101,31 @@ private:
 };
 
 // What a property of a vertex is for.
-enum class Role { x, y, z, nx, ny, nz, u, v, red, green, blue, none };
+enum class VertexRole { x, y, z, nx, ny, nz, u, v, red, green, blue, none };
 
 constexpr std::size_t role_count = 11;
 
-Role role_of(std::string_view name) {
-    static const std::map<std::string_view, Role> roles{{"x", Role::x},
-                                                        {"y", Role::y},
-                                                        {"z", Role::z},
-                                                        {"nx", Role::nx},
-                                                        {"ny", Role::ny},
-                                                        {"nz", Role::nz},
-                                                        {"u", Role::u},
-                                                        {"s", Role::u},
-                                                        {"texture_u", Role::u},
-                                                        {"v", Role::v},
-                                                        {"t", Role::v},
-                                                        {"texture_v", Role::v},
-                                                        {"red", Role::red},
-                                                        {"green", Role::green},
-                                                        {"blue", Role::blue},
-                                                        {"diffuse_red", Role::red},
-                                                        {"diffuse_green", Role::green},
-                                                        {"diffuse_blue", Role::blue}};
+VertexRole role_of(std::string_view name) {
+    static const std::map<std::string_view, VertexRole> roles{{"x", VertexRole::x},
+                                                              {"y", VertexRole::y},
+                                                              {"z", VertexRole::z},
+                                                              {"nx", VertexRole::nx},
+                                                              {"ny", VertexRole::ny},
+                                                              {"nz", VertexRole::nz},
+                                                              {"u", VertexRole::u},
+                                                              {"s", VertexRole::u},
+                                                              {"texture_u", VertexRole::u},
+                                                              {"v", VertexRole::v},
+                                                              {"t", VertexRole::v},
+                                                              {"texture_v", VertexRole::v},
+                                                              {"red", VertexRole::red},
+                                                              {"green", VertexRole::green},
+                                                              {"blue", VertexRole::blue},
+                                                              {"diffuse_red", VertexRole::red},
+                                                              {"diffuse_green", VertexRole::green},
+                                                              {"diffuse_blue", VertexRole::blue}};
     const auto role = roles.find(name);
-    return role == roles.end() ? Role::none : role->second;
+    return role == roles.end() ? VertexRole::none : role->second;
 }
 
 // What a colour's number means from 0 to 1.
@@ -232,40 +232,40 @@ private:
     void read_vertices(const PlyElement& element) {
         std::array<bool, role_count> is_there{};
         for (const PlyProperty& property : element.properties) {
-            const Role role = property.is_list ? Role::none : role_of(property.name);
-            if (role != Role::none) {
+            const VertexRole role = property.is_list ? VertexRole::none : role_of(property.name);
+            if (role != VertexRole::none) {
                 is_there[static_cast<std::size_t>(role)] = true;
             } else if (element.count > 0) {
                 tell_unused(element, property.name);
             }
         }
-        const auto has = [&](Role first, int count) {
+        const auto has = [&](VertexRole first, int count) {
             return std::all_of(is_there.begin() + static_cast<int>(first),
                                is_there.begin() + static_cast<int>(first) + count,
                                [](bool there) { return there; });
         };
-        if (!has(Role::x, 3)) {
+        if (!has(VertexRole::x, 3)) {
             numbers_.fail("its vertices have no x, y and z");
         }
-        has_normals_ = has(Role::nx, 3);
-        has_places_ = has(Role::u, 2);
-        const bool has_colors = has(Role::red, 3);
+        has_normals_ = has(VertexRole::nx, 3);
+        has_places_ = has(VertexRole::u, 2);
+        const bool has_colors = has(VertexRole::red, 3);
         for (std::uint64_t i = 0; i < element.count; ++i) {
             const std::array<double, role_count> vertex = next_vertex(element);
-            const auto three = [&](Role first) {
+            const auto three = [&](VertexRole first) {
                 const auto at = static_cast<std::size_t>(first);
                 return glm::dvec3(vertex[at], vertex[at + 1], vertex[at + 2]);
             };
-            add_position(three(Role::x));
+            add_position(three(VertexRole::x));
             if (has_normals_) {
-                add_normal(three(Role::nx));
+                add_normal(three(VertexRole::nx));
             }
             if (has_places_) {
-                const glm::dvec3 place = three(Role::u);
+                const glm::dvec3 place = three(VertexRole::u);
                 file_.texture_coordinates.emplace_back(coordinate(place.x), coordinate(place.y));
             }
             if (has_colors) {
-                const glm::dvec3 color = three(Role::red);
+                const glm::dvec3 color = three(VertexRole::red);
                 file_.colors.emplace_back(to_linear(color.x), to_linear(color.y),
                                           to_linear(color.z));
             }
@@ -275,13 +275,14 @@ private:
     std::array<double, role_count> next_vertex(const PlyElement& element) {
         std::array<double, role_count> vertex{};
         for (const PlyProperty& property : element.properties) {
-            const Role role = property.is_list ? Role::none : role_of(property.name);
-            if (role == Role::none) {
+            const VertexRole role = property.is_list ? VertexRole::none : role_of(property.name);
+            if (role == VertexRole::none) {
                 skip(property);
                 continue;
             }
             const double number = numbers_.next(property.type);
-            const bool is_color = role == Role::red || role == Role::green || role == Role::blue;
+            const bool is_color =
+                role == VertexRole::red || role == VertexRole::green || role == VertexRole::blue;
             vertex[static_cast<std::size_t>(role)] =
                 is_color ? number / greatest_of(property.type) : number;
         }
@@ -410,7 +411,7 @@ private:
 
     void place_positions(Origin origin) {
         if (origin == Origin::near_model) {
-            WideBox box;
+            DoubleBox box;
             for (const ObjCorner& corner : file_.corners) {
                 extend(box, positions_[static_cast<std::size_t>(corner.position)]);
             }

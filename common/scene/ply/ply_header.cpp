@@ -30,9 +30,9 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names{
      {"double", PlyType::float64},
      {"float64", PlyType::float64}}};
 
-class HeaderReader {
+class PlyHeaderReader {
 public:
-    HeaderReader(std::string_view bytes, const std::filesystem::path& path)
+    PlyHeaderReader(std::string_view bytes, const std::filesystem::path& path)
         : bytes_(bytes), path_(path) {}
 
     PlyHeader read() {
@@ -153,7 +153,7 @@ std::size_t size_of(PlyType type) {
 }
 
 PlyHeader parse_ply_header(std::string_view bytes, const std::filesystem::path& path) {
-    return HeaderReader(bytes, path).read();
+    return PlyHeaderReader(bytes, path).read();
 }
 
 } // namespace raysteps

@@ -320,8 +320,8 @@ Scene load_toml_model(const toml::node& node, const fs::path& folder, int scale_
 }
 
 // The box of the models where their transforms put them.
-WideBox box_in_world(const std::vector<Scene>& models) {
-    WideBox box;
+DoubleBox box_in_world(const std::vector<Scene>& models) {
+    DoubleBox box;
     for (const Scene& model : models) {
         const Box own = bounds_of(model.corners);
         const glm::dmat4 transform(model.models.front().transform);

@@ -18,8 +18,9 @@ out vec4 painted;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Hit hit = hit_at(hits, pixel);
-    vec3 tint = (1.0 - hit.u - hit.v) * vec3(texelFetch(corner_colors, 3 * hit.triangle)) +
-                hit.u * vec3(texelFetch(corner_colors, 3 * hit.triangle + 1)) +
-                hit.v * vec3(texelFetch(corner_colors, 3 * hit.triangle + 2));
+    vec3 a = vec3(texelFetch(corner_colors, 3 * hit.triangle));
+    vec3 b = vec3(texelFetch(corner_colors, 3 * hit.triangle + 1));
+    vec3 c = vec3(texelFetch(corner_colors, 3 * hit.triangle + 2));
+    vec3 tint = a + hit.u * (b - a) + hit.v * (c - a); // where all are white, white to the bit
     painted = vec4(painted_color(pixel, triangle_material(hit.triangle)) * tint, 0.0);
 }

@@ -33,17 +33,17 @@ glm::vec3 to_glm(const aiColor3D& color) {
     return {color.r, color.g, color.b};
 }
 
-struct Transform {
+struct NodePlace {
     glm::dmat3 linear{1.0};
     glm::dvec3 translation{0.0};
 };
 
-Transform operator*(const Transform& outer, const aiMatrix4x4& m) {
+NodePlace operator*(const NodePlace& outer, const aiMatrix4x4& m) {
     const glm::dmat3 linear{{m.a1, m.b1, m.c1}, {m.a2, m.b2, m.c2}, {m.a3, m.b3, m.c3}};
     return {outer.linear * linear, outer.linear * glm::dvec3(m.a4, m.b4, m.c4) + outer.translation};
 }
 
-glm::dvec3 applied(const Transform& transform, const glm::dvec3& point) {
+glm::dvec3 applied(const NodePlace& transform, const glm::dvec3& point) {
     return transform.linear * point + transform.translation;
 }
 
@@ -70,8 +70,8 @@ public:
 private:
     void add_pictures();
     void add_material(const aiMaterial& source);
-    void add_nodes(const aiNode& node, const Transform& outer);
-    void add_mesh(const aiMesh& source, const Transform& place, const std::string& object,
+    void add_nodes(const aiNode& node, const NodePlace& outer);
+    void add_mesh(const aiMesh& source, const NodePlace& place, const std::string& object,
                   int primitive);
     void add_faces(const aiMesh& source, std::uint32_t first_vertex, bool mirrors);
     double vertical_angle(const aiCamera& camera) const;
@@ -86,7 +86,7 @@ private:
     bool is_gltf_;
     MeshFile mesh_;
     std::map<std::string, int> not_shown_; // what, and of how many
-    std::map<std::string, Transform> place_of_node_;
+    std::map<std::string, NodePlace> place_of_node_;
 };
 
 // Assimp calls pictures in the file *0, *1 and so on.
@@ -220,8 +220,8 @@ void Importing::add_material(const aiMaterial& source) {
     mesh_.materials.push_back(std::move(material));
 }
 
-void Importing::add_nodes(const aiNode& node, const Transform& outer) {
-    const Transform place = outer * node.mTransformation;
+void Importing::add_nodes(const aiNode& node, const NodePlace& outer) {
+    const NodePlace place = outer * node.mTransformation;
     const std::string name = node.mName.C_Str();
     place_of_node_.emplace(name, place);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -241,7 +241,7 @@ void fill_up(std::vector<Value>& values, std::size_t count, const Value& filling
     }
 }
 
-void Importing::add_mesh(const aiMesh& source, const Transform& place, const std::string& object,
+void Importing::add_mesh(const aiMesh& source, const NodePlace& place, const std::string& object,
                          int primitive) {
     const std::size_t first = mesh_.positions.size();
     const std::size_t end = first + source.mNumVertices;
@@ -324,7 +324,7 @@ void Importing::add_cameras() {
     }
     const aiCamera& source = *scene_.mCameras[0];
     const auto node = place_of_node_.find(source.mName.C_Str());
-    const Transform place = node == place_of_node_.end() ? Transform{} : node->second;
+    const NodePlace place = node == place_of_node_.end() ? NodePlace{} : node->second;
     // Of a glTF camera, Assimp gives the place of its node twice.
     const glm::dvec3 position = is_gltf_ ? glm::dvec3(0.0) : to_glm(source.mPosition);
     Camera camera;
@@ -348,7 +348,7 @@ void Importing::add_lights() {
             continue;
         }
         const auto node = place_of_node_.find(source.mName.C_Str());
-        const Transform place = node == place_of_node_.end() ? Transform{} : node->second;
+        const NodePlace place = node == place_of_node_.end() ? NodePlace{} : node->second;
         Light light;
         light.position = glm::vec3(applied(place, to_glm(source.mPosition)));
         light.color = color / greatest;
