@@ -157,6 +157,13 @@ void Stage::load(const SceneSource& source, const std::optional<Camera>& camera)
         scene = load_scene(source.scene, source.aspect_ratio,
                            {.scale_exponent = source.scale_exponent,
                             .camera = {source.placed, source.up, camera}});
+        const auto holes =
+            std::count_if(scene.materials.begin(), scene.materials.end(),
+                          [](const Material& material) { return !material.cutout_map.empty(); });
+        if (holes > 0) {
+            scene.messages.push_back("Cut-outs are not shown in view: " + std::to_string(holes) +
+                                     " materials.");
+        }
         if (scene.origin != glm::dvec3(0.0)) {
             scene.messages.push_back("In view, --camera, --viewpoint, --ray and --clip count from "
                                      "that point.");
