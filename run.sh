@@ -4,9 +4,12 @@
 #   ./run.sh                      installs what is missing, builds, and renders every chapter into out/
 #   ./run.sh 03 [OPTION...]       runs one chapter's program with its options; --help lists them
 #   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
+#   ./run.sh check --tree FILE    says what is wrong with a tree that another program built (docs/tree_files.md)
+#   ./run.sh shrink --command ... reduces a ray that another engine gets wrong to a few triangles
 #   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
 #   ./run.sh book [--port N]      makes the book, and serves it on this machine (127.0.0.1:8000)
 #   ./run.sh book --pdf           makes the book, and prints it into one PDF
+#   ./run.sh book --zip           makes the book, and packs it and the playground into one file
 #   ./run.sh --no-install ...     installs nothing: lists what is missing, and stops if anything is
 #   ./run.sh --help               says this
 set -euo pipefail
@@ -17,7 +20,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,11s/^# \{0,1\}//p' run.sh
+  sed -n '2,14s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
@@ -27,9 +30,14 @@ case "${1:-}" in
 esac
 
 chapter=
+shrink=
 kind=run
 if [ "${1:-}" = view ] || [ "${1:-}" = book ]; then
   kind=$1
+  shift
+elif [ "${1:-}" = shrink ]; then
+  chapter=check
+  shrink=1
   shift
 elif [ $# -gt 0 ]; then
   for folder in chapters/"$1"*/; do
@@ -64,7 +72,11 @@ build_and_run() {
     cat build/build.log >&2
     exit 1
   }
+  local project=$PWD
   cd "$called_from"
+  if [ -n "$shrink" ]; then
+    exec python3 -B "$project/scripts/shrink" --check "$program" "$@"
+  fi
   exec "$program" "$@"
 }
 

@@ -23,12 +23,13 @@ if ! command -v npm >/dev/null; then
   packages_to_book+=(npm)
 fi
 
-# What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, git, and clang with
-# its runtime, which fuzzes the loader.
+# What the tests need on top: their libraries, a display without a screen, checkers of shaders and of JSON, git, the sandbox in
+# which ./course grade runs, clang with its runtime, which fuzzes the loader, and gappa, which proves the bounds of
+# docs/numerics.md.
 packages_to_test=(
   catch2 librapidcheck-dev
-  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema git
-  clang libclang-rt-dev clang-format
+  xvfb xauth xdotool libgl1 libglx-mesa0 glslang-tools python3-jsonschema git bubblewrap
+  clang libclang-rt-dev clang-format gappa
 )
 
 # The browser that reads the book. Ubuntu has none among its packages: there these tests are skipped.

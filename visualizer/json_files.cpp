@@ -3,16 +3,10 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "state_fields.h"
-#include "visualizer/replay/sentence.h"
 
-#include <fmt/core.h>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <map>
 #include <type_traits>
 
 using Json = nlohmann::json;
@@ -100,84 +94,6 @@ void check(const State& state) {
     }
 }
 
-// More digits than a picture can show would only make the page slow.
-double six_digits(float value) {
-    return std::strtod(fmt::format("{:.6g}", static_cast<double>(value)).c_str(), nullptr);
-}
-
-Json point(const glm::vec3& place) {
-    return {six_digits(place.x), six_digits(place.y), six_digits(place.z)};
-}
-
-Json corners_of(const Box& box) {
-    return {point(box.lower), point(box.upper)};
-}
-
-// Triangles share their corners: storing each once takes a third of the numbers.
-void add_model(Json& file, const Scene& scene) {
-    std::map<std::array<float, 3>, std::size_t> indices;
-    Json points = Json::array();
-    Json triangles = Json::array();
-    for (const glm::vec3& corner : scene.corners) {
-        const auto [entry, is_new] =
-            indices.try_emplace({corner.x, corner.y, corner.z}, indices.size());
-        if (is_new) {
-            for (const Json& number : point(corner)) {
-                points.push_back(number);
-            }
-        }
-        triangles.push_back(entry->second);
-    }
-    file["points"] = points;
-    file["triangles"] = triangles;
-}
-
-std::string outcome_word(Outcome outcome) {
-    constexpr std::array words{"tested", "entered", "climbed", "emptied",
-                               "missed", "behind",  "touched", "leaf"}; // in the order of Outcome
-    return words.at(static_cast<std::size_t>(outcome));
-}
-
-Json step_of(const Pane& pane, const RecordedWalk& walk, std::size_t number) {
-    const Step& step = walk.steps[number];
-    Json tested = Json::array();
-    Json hit = Json::array();
-    for (const TriangleTest& test : tests_of(walk, step)) {
-        (test.hit.triangle == no_triangle ? tested : hit).push_back(test.triangle);
-    }
-    Json box = nullptr;
-    if (step.cell != no_cell) {
-        box = corners_of(pane.cells.cells[static_cast<std::size_t>(step.cell)].box);
-    }
-    return {{"sentence", sentence_of(pane.cells, walk, number)},
-            {"outcome", outcome_word(step.outcome)},
-            {"box", box},
-            {"tested", tested},
-            {"hit", hit}};
-}
-
-Json boxes_of(const StructureCells& structure) {
-    Json boxes = Json::array();
-    for (const Cell& cell : structure.cells) {
-        if (cell.triangles > 0) {
-            boxes.push_back(corners_of(cell.box));
-        }
-    }
-    return boxes;
-}
-
-// A ray that hits nothing is drawn a little beyond the box of the scene.
-glm::vec3 end_of(const Stage& stage, const RecordedWalk& walk) {
-    const Ray& ray = walk.ray;
-    if (walk.hit.triangle != no_triangle) {
-        return ray.origin + walk.hit.t * ray.direction;
-    }
-    const Box& bounds = stage.bounds();
-    const float far_enough = glm::distance(ray.origin, 0.5f * (bounds.lower + bounds.upper)) +
-                             glm::distance(bounds.lower, bounds.upper);
-    return ray.origin + far_enough * glm::normalize(ray.direction);
-}
-
 } // namespace
 
 std::string state_text(const State& state) {
@@ -222,27 +138,6 @@ State read_state(const std::filesystem::path& path) {
 
 void save_state(const std::filesystem::path& path, const State& state) {
     write_file(path, state_text(state));
-}
-
-void write_walk(const std::filesystem::path& path, const Stage& stage, const State& state) {
-    const Pane& pane = *stage.panes().front();
-    const RecordedWalk* const walk = walk_in(pane, state);
-    if (!walk) {
-        throw InputError("--export " + path.string() +
-                         ": there is no ray, so there is no walk to write. Name a ray with --pixel "
-                         "or --ray.");
-    }
-    Json file;
-    file["structure"] = walk->structure;
-    add_model(file, stage.scene());
-    file["boxes"] = boxes_of(pane.cells);
-    file["ray"] = {point(walk->ray.origin), point(end_of(stage, *walk))};
-    file["steps"] = Json::array();
-    for (std::size_t number = 0; number < walk->steps.size(); ++number) {
-        file["steps"].push_back(step_of(pane, *walk, number));
-    }
-    file["ending"] = ending_of(*walk);
-    write_file(path, file.dump() + "\n");
 }
 
 } // namespace raysteps::view

@@ -30,6 +30,12 @@ State at_parting(State state, const Stage& stage) {
     return with_step(state, stage, state.step == later ? earlier : later);
 }
 
+// Recorded steps are of one ray: there is nothing to count for the other pixels.
+State with_next_heat_map(State state, const Stage&) {
+    state.heat_map = state.steps.empty() ? next_of(state.heat_map) : state.heat_map;
+    return state;
+}
+
 State with_next_ray(State state, const Stage& stage) {
     std::size_t rays = 1;
     for (const std::unique_ptr<Pane>& pane : stage.panes()) {
@@ -261,7 +267,7 @@ const std::vector<KeySection>& key_table() {
             {"t", set(&State::model, ModelStyle::transparent)},
             {"o", set(&State::model, ModelStyle::hidden)}},
            now(&State::model)},
-          {"I", "heat map", {{"i", next_choice(&State::heat_map)}}, now(&State::heat_map)},
+          {"I", "heat map", {{"i", with_next_heat_map}}, now(&State::heat_map)},
           {"F12  K", "save picture, state", {{"F12", A::save_picture}, {"k", A::save_state}}},
           {"H  Q",
            "this sheet, quit",

@@ -18,7 +18,7 @@ namespace raysteps::view {
 
 // A structure of the state, built, with the walks of the state's ray.
 struct Pane {
-    std::string label; // as the state names it: bvh_ordered:split=median
+    std::string label; // as the state names it: bvh_ordered:split=median; of a told walk its name
     std::string structure;
     BuiltStructure built;
     StructureCells cells;

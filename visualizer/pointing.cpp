@@ -115,6 +115,7 @@ State after_click(const State& state, const Stage& stage, const glm::ivec2& plac
                                     (picture.y + picture.height - 1 - place.y) * state.picture.y /
                                         picture.height);
             next.ray.reset();
+            next.steps.clear();
             next.path_ray = 0;
             next.step = last_step;
             next.filter = CellFilter::visited;
@@ -136,6 +137,7 @@ State with_ray_to(const State& state, const Stage& stage, const glm::vec3& point
                   std::numeric_limits<float>::max()};
     next.ray = scaled(ray, -state.scale_exponent); // a state has the lengths of the file
     next.pixel.reset();
+    next.steps.clear();
     next.path_ray = 0;
     next.step = last_step;
     next.filter = CellFilter::visited;

@@ -4,7 +4,9 @@
 #include "basics/text.h"
 #include "hard_cases/hard_cases.h"
 #include "json_files.h"
+#include "read_told_walk.h"
 #include "scene/camera_text.h"
+#include "scene/ray_file.h"
 #include "state_fields.h"
 #include "structure/structure.h"
 #include "visualizer/replay/sentence.h"
@@ -206,6 +208,10 @@ void add_options(CLI::App& app, Given& given, Request& request) {
             add_option(app, field, initial.*member, given[field.option]);
         }
     });
+    app.add_option("--rays", given["--rays"],
+                   "show a ray of this file (.f32 or .csv, docs/ray_files.md)");
+    app.add_option("--ray-number", given["--ray-number"],
+                   "which ray of --rays, from 0; the first by default");
     app.add_option("--walk", given["--walk"],
                    "the walk of --structure kd, bvh or grid: restart, skip, mailbox, ...");
     app.add_option("--step", given["--step"],
@@ -254,9 +260,30 @@ void refuse_contradictions(const Given& given) {
         throw InputError("--hard-case " + given.at("--hard-case") + " and the scene " +
                          given.at("SCENE") + " both say what to show. Leave one out.");
     }
-    if (given.contains("--pixel") && given.contains("--ray")) {
-        throw InputError("--pixel and --ray both name the ray. Leave one out.");
+    for (const std::string other : {"--pixel", "--ray", "--rays", "--hard-case"}) {
+        if (given.contains("--steps") && given.contains(other)) {
+            throw InputError("--steps and " + other + " both name the ray. Leave one out.");
+        }
     }
+    if (given.contains("--pixel") + given.contains("--ray") + given.contains("--rays") > 1) {
+        throw InputError("--pixel, --ray and --rays all name the ray. Leave all but one out.");
+    }
+    if (given.contains("--ray-number") && !given.contains("--rays")) {
+        throw InputError("--ray-number " + given.at("--ray-number") +
+                         ": it is a ray of a file. Name the file with --rays.");
+    }
+}
+
+Ray ray_of_file(const Given& given) {
+    const std::vector<Ray> rays = read_ray_file(given.at("--rays"));
+    const auto text = given.find("--ray-number");
+    const int number =
+        text == given.end() ? 0 : whole_number({text->first, text->second}, text->second, 0);
+    if (static_cast<std::size_t>(number) >= rays.size()) {
+        throw InputError("--ray-number " + std::to_string(number) + ": " + given.at("--rays") +
+                         " has " + std::to_string(rays.size()) + " rays, counted from 0.");
+    }
+    return rays[static_cast<std::size_t>(number)];
 }
 
 bool has_grids_only(const State& state) {
@@ -302,11 +329,14 @@ State with_options(State state, const Given& given) {
     if (given.contains("--pixel")) {
         state.ray.reset();
     }
-    if (given.contains("--ray")) {
+    if (given.contains("--rays")) {
+        state.ray = ray_of_file(given);
+    }
+    if (given.contains("--ray") || given.contains("--rays")) {
         state.pixel.reset();
     }
-    const bool new_ray =
-        given.contains("--pixel") || given.contains("--ray") || given.contains("--hard-case");
+    const bool new_ray = given.contains("--pixel") || given.contains("--ray") ||
+                         given.contains("--rays") || given.contains("--hard-case");
     if (new_ray && !given.contains("--show")) {
         state.filter = CellFilter::visited;
     }
@@ -323,6 +353,22 @@ State with_options(State state, const Given& given) {
                "too small to read anything. Take 320x240 at least.");
     }
     return state;
+}
+
+// What the file says of its walk, and the command line does not.
+void take_told_walk(State& state, const Given& given) {
+    const ToldWalk told = read_told_walk(state.steps);
+    state.pixel.reset();
+    state.ray.reset();
+    if (!given.contains("SCENE") && !told.scene.empty()) {
+        state.scene = told.scene;
+    }
+    if (!given.contains("--structure") && !given.contains("--walk") && is_walk_of_ours(told)) {
+        state.structures = {told.structure};
+    }
+    if (!given.contains("--show")) {
+        state.filter = CellFilter::visited;
+    }
 }
 
 void take_step(Request& request, const std::string& text) {
@@ -361,10 +407,15 @@ Request read_request(int argc, char** argv) {
     }
     request.state = with_camera_word(std::move(request.state), given);
     request.state = with_options(std::move(request.state), given);
+    if (given.contains("--steps")) {
+        take_told_walk(request.state, given);
+        request.to_parting = !given.contains("--step");
+    }
     if (given.contains("--step")) {
         take_step(request, given["--step"]);
     }
-    if (request.to_parting && request.state.structures.size() < 2) {
+    const std::size_t told = request.state.steps.empty() ? 0 : 1;
+    if (request.to_parting && request.state.structures.size() + told < 2) {
         throw InputError("--step parting: it takes two walks to part. Name two structures, as in "
                          "--structure bvh_ordered,bvh_skip.");
     }

@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "hard_cases/hard_cases.h"
 #include "mirror/walks.h"
+#include "read_told_walk.h"
 #include "scene/load_scene.h"
 #include "scene/scaling.h"
 #include "scene/view.h"
@@ -120,7 +121,7 @@ std::string pixel_text(const glm::ivec2& pixel) {
 } // namespace
 
 bool Stage::PathSource::operator==(const PathSource& other) const {
-    return same_ray(ray, other.ray) && bounces == other.bounces;
+    return same_ray(ray, other.ray) && bounces == other.bounces && steps == other.steps;
 }
 
 bool Stage::CountSource::operator==(const CountSource& other) const {
@@ -128,6 +129,7 @@ bool Stage::CountSource::operator==(const CountSource& other) const {
 }
 
 void Stage::show(const State& state) {
+    tell(state.steps);
     std::optional<Camera> camera = state.camera;
     if (camera) {
         camera = scaled(*camera, state.scale_exponent);
@@ -137,13 +139,25 @@ void Stage::show(const State& state) {
          camera);
     camera_ = camera.value_or(scene_.camera);
     const std::optional<Ray> ray = ray_of(state);
-    build({state.structures, state.build_values, reach_with(ray)});
+    build({state.structures, state.build_values, reach_with(ray), state.steps});
     note_.clear();
     ray_ = ray ? ray : hard_ray(state); // chosen by its walks, so the structures come first
-    record({ray_, state.bounces});
+    record({ray_, state.bounces, state.steps});
     if (state.heat_map != HeatMap::none) {
+        if (told_) {
+            throw InputError("--heat-map: recorded steps are of one ray. Leave --heat-map or "
+                             "--steps out.");
+        }
         count({camera_, state.picture});
     }
+}
+
+void Stage::tell(const std::string& steps) {
+    if (told_file_ == steps) {
+        return;
+    }
+    told_ = steps.empty() ? std::nullopt : std::optional(read_told_walk(steps));
+    told_file_ = steps;
 }
 
 void Stage::load(const SceneSource& source, const std::optional<Camera>& camera) {
@@ -197,15 +211,28 @@ void Stage::build(const StructureSource& source) {
     if (built_ == source) {
         return;
     }
-    panes_ =
-        build_panes(source.structures,
-                    {scene_, *buffers_, source.reach, source.build_values, hard_values_}, say_);
+    std::vector<std::string> structures = source.structures;
+    if (told_) {
+        structures.insert(structures.begin(),
+                          is_walk_of_ours(*told_) ? told_->structure : "every_triangle");
+    }
+    panes_ = build_panes(
+        structures, {scene_, *buffers_, source.reach, source.build_values, hard_values_}, say_);
+    if (told_) {
+        panes_.front()->label = told_->name;
+        if (!is_walk_of_ours(*told_)) {
+            panes_.front()->cells = told_cells(*told_);
+        }
+    }
     most_telling_.reset();
     recorded_.reset();
     built_ = source;
 }
 
 std::optional<Ray> Stage::ray_of(const State& state) const {
+    if (told_) {
+        return told_->ray;
+    }
     if (!state.pixel) {
         return state.ray ? std::optional(scaled(*state.ray, state.scale_exponent)) : std::nullopt;
     }
@@ -243,6 +270,11 @@ void Stage::record(const PathSource& source) {
     if (recorded_ == source) {
         return;
     }
+    recorded_ = source;
+    if (told_) {
+        record_told();
+        return;
+    }
     for (const std::unique_ptr<Pane>& pane : panes_) {
         pane->path.clear();
         if (source.ray) {
@@ -250,7 +282,21 @@ void Stage::record(const PathSource& source) {
                 record_path({scene_, *buffers_, pane->recorder}, *source.ray, source.bounces);
         }
     }
-    recorded_ = source;
+}
+
+// The told walk, and for its ray and its question those of the other panes: no ray behind it.
+void Stage::record_told() {
+    for (const std::unique_ptr<Pane>& pane : panes_) {
+        RecordedWalk walk;
+        if (pane != panes_.front()) {
+            walk = pane->recorder.record(told_->ray, told_->question);
+        } else if (is_walk_of_ours(*told_)) {
+            walk = pane->recorder.explain(*told_);
+        } else {
+            walk = walk_in_told_cells(*told_, pane->recorder.explain(*told_));
+        }
+        pane->path = {{RayRole::camera, 0, walk}};
+    }
 }
 
 void Stage::count(const CountSource& source) {

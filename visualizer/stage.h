@@ -2,6 +2,7 @@
 
 #include "pane.h"
 #include "visualizer/replay/parting.h"
+#include "visualizer/replay/told_walk.h"
 
 #include <memory>
 #include <optional>
@@ -47,7 +48,8 @@ private:
     struct StructureSource {
         std::vector<std::string> structures;
         std::map<std::string, std::string> build_values;
-        float reach; // of the rays that the structures are built for
+        float reach;       // of the rays that the structures are built for
+        std::string steps; // a file of recorded steps, or empty
 
         bool operator==(const StructureSource&) const = default;
     };
@@ -55,6 +57,7 @@ private:
     struct PathSource {
         std::optional<Ray> ray;
         int bounces;
+        std::string steps;
 
         bool operator==(const PathSource&) const;
     };
@@ -66,8 +69,10 @@ private:
         bool operator==(const CountSource&) const;
     };
 
+    void tell(const std::string& steps);
     void load(const SceneSource& source, const std::optional<Camera>& camera);
     void build(const StructureSource& source);
+    void record_told();
     void record(const PathSource& source);
     void count(const CountSource& source);
     float reach_with(const std::optional<Ray>& ray) const;
@@ -84,6 +89,9 @@ private:
     FamilyValues hard_values_;   // that its builders need
 
     Camera camera_;
+
+    std::string told_file_;
+    std::optional<ToldWalk> told_; // of that file; its pane is the first
 
     std::optional<StructureSource> built_;
     std::vector<std::unique_ptr<Pane>> panes_;

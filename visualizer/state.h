@@ -92,9 +92,10 @@ struct State {
     UpAxis up = UpAxis::y;                         // the axis of a file that is up for it
     glm::ivec2 picture{512, 512};                  // its size in pixels
 
-    // The ray: that of a pixel of the picture, or as given.
+    // The ray: that of a pixel of the picture, as given, or that of recorded steps.
     std::optional<glm::ivec2> pixel;
     std::optional<Ray> ray;
+    std::string steps; // a file of recorded steps: its ray, with that walk beside ours
     int hard_ray = -1; // which of the hard case's rays, if neither is given; -1: the most telling
     int bounces = 4;
     int path_ray = 0;     // which of the rays behind the pixel; 0 is the camera ray

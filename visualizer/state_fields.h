@@ -45,6 +45,8 @@ void visit_fields(const Visit& visit) {
           "show the ray of this pixel: column,row from top left");
     field("ray", &State::ray, "--ray",
           "show this ray: ox,oy,oz,dx,dy,dz, optionally followed by t_min,t_max");
+    field("steps", &State::steps, "--steps",
+          "show the walk of this file of recorded steps beside ours, where they part");
     field("bounces", &State::bounces, "--bounces", "at most this many mirror rays behind a pixel");
     field("path_ray", &State::path_ray, "--path-ray",
           "which ray behind the pixel to step through; 0 is the camera ray");

@@ -15,7 +15,7 @@ BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& 
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
     const PackedStructure packed = pack(bvh, corners);
     return {.packed = packed,
-            .facts = facts_of(measure_bvh(bvh, options), bvh.order.size(), packed, seconds)};
+            .facts = facts_of(measure_bvh(bvh, options), corners.size() / 3, packed, seconds)};
 }
 
 } // namespace

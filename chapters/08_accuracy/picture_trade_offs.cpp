@@ -1,6 +1,7 @@
 #include "trade_offs.h"
 
 #include "judges.h"
+#include "render/trace_rays.h"
 #include "render/whitted_renderer.h"
 #include "scene/load_scene.h"
 #include "scene/view.h"
@@ -25,9 +26,7 @@ class Photographer {
 public:
     Photographer(Scene scene, const Effort& effort)
         : scene_(std::move(scene)), size_(effort.picture_size),
-          renderer_(scene_, textures_of(scene_),
-                    {{"triangle", "triangle/watertight.glsl"},
-                     {"structure", find_part("structure", "bvh_ordered")}},
+          renderer_(scene_, textures_of(scene_), walk_parts("watertight", "fastest"),
                     effort.limits) {}
 
     // The mean of side * side rays a pixel.
@@ -46,7 +45,7 @@ public:
 private:
     static SceneTextures textures_of(const Scene& scene) {
         const float reach = reach_of(origins_of(scene.camera), scene.corners);
-        return upload(scene, family_of("bvh_ordered").build(scene.corners, {reach, {}}));
+        return upload(scene, family_of("fastest").build(scene.corners, {reach, {}}));
     }
 
     Scene scene_;

@@ -56,7 +56,7 @@ build_textures(const Scene& scene, const std::string& structure, float reach,
 
 std::shared_ptr<const Subject> make_subject(Scene scene, float reach) {
     const bool small = triangle_count(scene) <= most_triangles_of_loop;
-    const std::string structure = small ? "every_triangle" : "bvh_ordered";
+    const std::string structure = small ? "every_triangle" : single_walk("fastest");
     SceneTextures textures = upload(scene, family_of(structure).build(scene.corners, {reach, {}}));
     textures.structure.buffers.emplace("triangle_transforms",
                                        BufferTexture(triangle_transforms(scene.corners)));

@@ -15,7 +15,7 @@
 namespace raysteps {
 
 // A scene to compare methods on. Up to most_triangles_of_loop triangles, rays are tested against
-// every one of them, so that all methods make the same tests; more are walked by bvh_ordered.
+// every one of them, so that all methods make the same tests; more are walked by the fastest walk.
 struct Subject {
     Scene scene;
     std::string structure; // the part's file

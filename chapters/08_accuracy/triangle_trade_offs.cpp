@@ -169,8 +169,8 @@ TradeOffTrials precision_trade_off(const Effort& effort) {
             families.push_back(std::move(family));
         }
     }
-    const auto textures = build_textures(*scene, "bvh_ordered", reach, {});
-    const std::string walk = find_part("structure", "bvh_ordered");
+    const auto textures = build_textures(*scene, "fastest", reach, {});
+    const std::string walk = find_part("structure", single_walk("fastest"));
     const std::string exact = "triangle/watertight.glsl";
     const std::string rounded = "triangle/watertight_rounded.glsl";
     const std::vector<TraceMethod> methods{

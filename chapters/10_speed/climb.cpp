@@ -97,7 +97,7 @@ Climber make_climber(const Scene& scene, TraceRays& walk, const ClimbRequest& re
         structures.push_back(step.structure);
     }
     Climber climber{.scene = scene,
-                    .built = {scene, plain_structures(structures), {}},
+                    .built = {scene, plain_structures(structures), request.build_values},
                     .pixels = pixels_in_blocks(request.width, request.height),
                     .kinds = {}};
     const RayTextures camera =
@@ -271,8 +271,9 @@ ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
 }
 
 VisitCounter::VisitCounter(const Scene& scene, const std::vector<std::string>& structures,
-                           const Limits& limits)
-    : built_(scene, plain_structures(structures), {}) {
+                           const Limits& limits,
+                           const std::map<std::string, std::string>& build_values)
+    : built_(scene, plain_structures(structures), build_values) {
     for (const std::string& structure : structures) {
         walks_.emplace_back(structure, make_counting_walk(structure, limits));
     }

@@ -19,7 +19,8 @@ struct ClimbRequest {
     EmbreePart embree = EmbreePart::none;
     int width = 256; // of the picture whose rays are traced
     int height = 256;
-    int rounds = 9; // after one that is dropped
+    int rounds = 9;                                    // after one that is dropped
+    std::map<std::string, std::string> build_values{}; // the file of a tree, where one is named
 };
 
 // What rays of one kind cost after a step.
@@ -62,7 +63,7 @@ ClimbedScene climb(const Scene& scene, std::map<std::string, TraceRays>& walks,
 class VisitCounter {
 public:
     VisitCounter(const Scene& scene, const std::vector<std::string>& structures,
-                 const Limits& limits);
+                 const Limits& limits, const std::map<std::string, std::string>& build_values = {});
 
     // For each pixel of the camera's picture, walk by walk.
     std::vector<CountedWalk> count(const Camera& camera, int width, int height);

@@ -19,8 +19,8 @@ const std::vector<std::string> drawn_walks{"bvh_skip", "bvh4"};
 
 // Writes the picture of what lanes do, or shows it in the window.
 void draw_rounds(const PictureOptions& picture, Context& context, const Scene& scene,
-                 const Limits& limits) {
-    VisitCounter counter(scene, drawn_walks, limits);
+                 const Limits& limits, const std::map<std::string, std::string>& build_values) {
+    VisitCounter counter(scene, drawn_walks, limits, build_values);
     show_or_write(picture, context, scene.camera, "rounds",
                   [&](const Camera& camera, int width, int height) {
                       return draw_blocks(counter.count(camera, width, height));
@@ -45,8 +45,10 @@ int main(int argc, char** argv) {
     options.number("--rounds", request.rounds,
                    "how often each step is measured, after one round that is dropped", 1, 1000);
     options.text("--embree", embree, "auto, robust, fast or off");
-    options.excludes("--full", {"--scene", "--scenes", "--window"});
-    options.excludes("--scenes", {"--scene", "--window"});
+    options.value("--tree", "", "climb in the tree of this file (docs/tree_files.md)",
+                  [&](const std::string& file) { request.build_values["tree"] = file; });
+    options.excludes("--full", {"--scene", "--scenes", "--window", "--tree"});
+    options.excludes("--scenes", {"--scene", "--window", "--tree"});
     return options.run(argc, argv, [&] {
         if (full) {
             scenes = full_scenes;
@@ -61,13 +63,16 @@ int main(int argc, char** argv) {
         const Scene first = load_scene(picture, scenes.front());
         const auto context = open_context(picture);
         const Limits limits = measure_limits();
-        draw_rounds(picture, *context, first, limits);
+        draw_rounds(picture, *context, first, limits, request.build_values);
         if (picture.window) {
             return;
         }
         std::map<std::string, TraceRays> walks = make_step_walks(limits);
         std::vector<ClimbedScene> climbed;
         FiguresHead head{.schema = "climb.schema.json"};
+        if (!request.build_values.empty()) {
+            head.builders["bvh"] = request.build_values;
+        }
         for (const std::string& name : scenes) {
             const Scene scene = name == scenes.front() ? first : load_scene(picture, name);
             head.scenes.push_back(record_of(scene));

@@ -60,6 +60,8 @@ std::string to_text(const glm::vec3& point, const std::string& separator) {
     return to_text(point.x) + separator + to_text(point.y) + separator + to_text(point.z);
 }
 
+} // namespace
+
 std::string to_obj(const Mesh& mesh) {
     std::string text;
     for (const glm::vec3& corner : mesh.corners) {
@@ -71,8 +73,6 @@ std::string to_obj(const Mesh& mesh) {
     }
     return text;
 }
-
-} // namespace
 
 std::vector<FuzzMethod> fuzz_methods() {
     return for_each_structure([](const std::string& structure) {

@@ -63,6 +63,9 @@ struct FuzzResult {
 // up or a fault is found.
 FuzzResult fuzz(const FuzzRequest& request);
 
+// The mesh as an OBJ file, with all digits.
+std::string to_obj(const Mesh& mesh);
+
 // Writes the fault's mesh as an OBJ file and its rays as a .csv file of that folder, with all
 // digits, so that the chapters' programs can trace them: --scene and --rays. Returns the paths.
 std::vector<std::filesystem::path> write_fault(const FuzzFault& fault,

@@ -2,6 +2,7 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "fuzz.h"
+#include "hard_cases/hard_cases.h"
 #include "program/figures.h"
 #include "program/options.h"
 #include "trials.h"
@@ -26,6 +27,8 @@ struct TrialRequest {
     std::filesystem::path out = "out/hard_cases"; // for what the fuzzer finds
     std::filesystem::path json;
     std::filesystem::path csv;
+    std::string tree;           // of the case's mesh
+    std::filesystem::path mesh; // for that of the case
 };
 
 constexpr int rays_of_the_long_form = 10000000;
@@ -111,10 +114,17 @@ void run_trials(const TrialRequest& request) {
         run_fuzz(request, gpu.get());
         return;
     }
+    if (!request.mesh.empty()) {
+        const HardScene made = find_hard_case(request.name).make({.seed = request.seed});
+        write_text(request.mesh, to_obj(made.mesh));
+        return;
+    }
     const int rays = request.is_long && request.rays == 0 ? rays_of_the_long_form : request.rays;
-    const std::vector<TrialResult> results = try_all(
-        trials,
-        {.rays = rays, .seed = request.seed, .gpu = gpu.get(), .by_mirror = request.by != "gpu"});
+    const std::vector<TrialResult> results = try_all(trials, {.rays = rays,
+                                                              .seed = request.seed,
+                                                              .gpu = gpu.get(),
+                                                              .by_mirror = request.by != "gpu",
+                                                              .tree = request.tree});
     if (!request.csv.empty()) {
         write_file(request.csv, to_csv(results));
     }
@@ -156,6 +166,17 @@ int main(int argc, char** argv) {
     options.output_folder("--out", request.out, "the folder for what the fuzzer finds");
     options.output_file("--json", request.json, "a file for the rows of the table");
     options.output_file("--csv", request.csv, "a file for the rows of the table");
-    options.excludes("--fuzz", {"--json", "--csv"});
+    options.output_file("--mesh", request.mesh,
+                        "write the mesh of --case to this OBJ file, and try nothing");
+    options.text("--tree", request.tree,
+                 "try the walks through the tree of this file, which another program built over "
+                 "the mesh of --case (docs/tree_files.md)");
+    options.check([&] {
+        if ((!request.tree.empty() || !request.mesh.empty()) && request.name.empty()) {
+            throw InputError("--tree and --mesh are about the mesh of one case. Name it with "
+                             "--case.");
+        }
+    });
+    options.excludes("--fuzz", {"--json", "--csv", "--mesh", "--tree"});
     return options.run(argc, argv, [&] { run_trials(request); });
 }

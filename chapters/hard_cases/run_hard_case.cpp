@@ -5,6 +5,7 @@
 #include "reference/exact.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
+#include "structure/tree_file.h"
 #include "tally.h"
 
 #include <algorithm>
@@ -29,18 +30,36 @@ float reach_for(const HardCase& hard_case, const HardScene& made) {
     return hard_case.truth == Truth::answered ? 0.0f : reach_of(made.rays, made.mesh.corners);
 }
 
-Batch make_batch(const HardCase& hard_case, const HardRequest& request) {
+// Those whose walks go through such a tree; of no file, all.
+std::vector<std::string> families_for(const std::string& file) {
+    if (file.empty()) {
+        std::vector<std::string> all;
+        for (const StructureFamily& family : list_families()) {
+            all.push_back(family.name);
+        }
+        return all;
+    }
+    const AnyTree tree = read_tree_file(file).tree;
+    if (const auto* const boxes = std::get_if<BoxTree>(&tree)) {
+        return boxes->width == 2 ? std::vector<std::string>{"bvh", "bvh4"}
+                                 : std::vector<std::string>{"bvh4"};
+    }
+    return {std::holds_alternative<KdTree>(tree) ? "kd" : "grid"};
+}
+
+Batch make_batch(const HardCase& hard_case, const HardRequest& request, const std::string& file) {
     HardScene made = hard_case.make(request);
     Scene scene = add_mesh(Scene{}, made.mesh, Material{});
     std::map<std::string, BuiltStructure> built;
-    for (const StructureFamily& family : list_families()) {
-        const auto values = made.build_values.find(family.name);
-        built.emplace(
-            family.name,
-            family.build(made.mesh.corners, {.reach = reach_for(hard_case, made),
-                                             .values = values == made.build_values.end()
-                                                           ? std::map<std::string, std::string>{}
-                                                           : values->second}));
+    for (const std::string& name : families_for(file)) {
+        BuildRequest build{.reach = reach_for(hard_case, made)};
+        if (!file.empty()) {
+            build.values["tree"] = file;
+        } else if (const auto values = made.build_values.find(name);
+                   values != made.build_values.end()) {
+            build.values = values->second;
+        }
+        built.emplace(name, family_of(name).build(made.mesh.corners, build));
     }
     Batch batch{
         std::move(made), std::move(scene), mirror::SceneBuffers(Scene{}), std::move(built), {}};
@@ -122,8 +141,12 @@ void try_structures(const HardCase& hard_case, const Batch& batch, Tallies& tall
         if (part.name == "every_triangle" || walk == mirror_walks().end()) {
             continue; // a walk that somebody has just written is tried on the GPU only
         }
-        const BuiltStructure& built = batch.built.at(family_of(part.name).name);
-        const std::vector<Hit> hits = walk->second(batch.buffers, built.packed, batch.made.rays);
+        const auto built = batch.built.find(family_of(part.name).name);
+        if (built == batch.built.end()) {
+            continue;
+        }
+        const std::vector<Hit> hits =
+            walk->second(batch.buffers, built->second.packed, batch.made.rays);
         tallies.add({part.name, "C++", bits_of_loop(hard_case), true}, hits.size(),
                     count_unlike(hard_case, batch, hits, batch.loop));
     }
@@ -153,6 +176,9 @@ void try_gpu(const HardCase& hard_case, const Batch& batch, GpuMethods& gpu, Tal
     std::map<std::string, SceneTextures> built;
     const auto try_structure = [&](const std::string& structure) {
         const std::string family = family_of(structure).name;
+        if (!batch.built.contains(family)) {
+            return;
+        }
         if (!built.contains(family)) {
             built.emplace(family, upload(batch.scene, batch.built.at(family)));
         }
@@ -179,7 +205,8 @@ std::vector<TrialRow> run_hard_case(const HardCase& hard_case, const TrialTools&
     Tallies tallies;
     for (int done = 0, seed = tools.seed; done < rays; done += rays_per_batch, ++seed) {
         tools.progress(static_cast<double>(done) / rays);
-        const Batch batch = make_batch(hard_case, {std::min(rays_per_batch, rays - done), seed});
+        const Batch batch =
+            make_batch(hard_case, {std::min(rays_per_batch, rays - done), seed}, tools.tree);
         if (tools.by_mirror) {
             try_triangle_tests(hard_case, batch, tallies);
             try_structures(hard_case, batch, tallies);

@@ -33,6 +33,7 @@ struct TrialTools {
     int seed = 1;
     GpuMethods* gpu = nullptr; // null where only C++ is tried
     bool by_mirror = true;
+    std::string tree{}; // a file: only the walks that can go through it, and in none of our own
     Progress progress = [](double) {};
 };
 

@@ -60,6 +60,7 @@ std::vector<ContestTimes> run_contest(std::span<const Contender> contenders, int
     }
     const double runs = static_cast<double>(contenders.size()) * (rounds + 1);
     double done = 0.0;
+    //# exercise 7.5: a hunt, for what a benchmark lies about
     for (int round = 0; round <= rounds; ++round) {
         for (std::size_t i = 0; i < contenders.size(); ++i) {
             if (contenders[i].prepare) {
@@ -72,6 +73,7 @@ std::vector<ContestTimes> run_contest(std::span<const Contender> contenders, int
             progress(++done / runs);
         }
     }
+    //# end
     return times;
 }
 

@@ -86,6 +86,11 @@ SceneRecord record_of(const Scene& scene) {
             camera_text(scene.camera, {0.0f, 1.0f, 0.0f}, scene.origin)};
 }
 
+std::string version_in_words() {
+    return std::string("Raysteps ") + RAYSTEPS_VERSION + ", commit " + built_commit +
+           (has_modified_tree() ? ", modified" : "");
+}
+
 Numbers with_head(const FiguresHead& head, const Numbers& figures) {
     Numbers all{{"head", head_numbers(head)}};
     for (const auto& [name, value] : figures.members()) {

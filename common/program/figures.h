@@ -32,6 +32,9 @@ struct FiguresHead {
     std::map<std::string, std::map<std::string, std::string>> builders{};
 };
 
+// `Raysteps 0.1.0, commit 1234...`, and whether the tree differed from it.
+std::string version_in_words();
+
 // The figures, which are an object, under their head.
 Numbers with_head(const FiguresHead& head, const Numbers& figures);
 

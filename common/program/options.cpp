@@ -1,6 +1,7 @@
 #include "program/options.h"
 
 #include "basics/error.h"
+#include "program/figures.h"
 #include "scene/camera_text.h"
 #include "scene/load_scene.h"
 #include "scene/scaling.h"
@@ -149,6 +150,8 @@ struct Options::Parser {
 Options::Options(std::string program, const std::string& purpose)
     : parser_(new Parser{std::move(program), CLI::App(purpose), {}, {}, {}, {}, {}, {}}) {
     parser_->app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    question("--version", "print which version this is, and do nothing else",
+             [] { std::cout << version_in_words() << "\n"; });
 }
 
 Options::~Options() = default;

@@ -59,8 +59,12 @@ Scene append_model(Scene scene, const Scene& model, const glm::mat4& transform) 
     const glm::dmat3 for_normals = normal_matrix(linear);
     const bool mirrors = glm::determinant(linear) < 0.0;
     const std::size_t first_corner = scene.corners.size();
+    const int first_triangle = triangle_count(scene) + static_cast<int>(scene.left_out.size());
     const int first_material = static_cast<int>(scene.materials.size());
 
+    for (const int triangle : model.left_out) {
+        scene.left_out.push_back(first_triangle + triangle);
+    }
     glm::dvec3 translation(whole[3]);
     if (model.origin != glm::dvec3(0.0) || scene.origin != glm::dvec3(0.0)) {
         translation += linear * model.origin - scene.origin;

@@ -13,7 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
+#include <limits>
 
 namespace raysteps {
 
@@ -104,6 +104,14 @@ std::vector<std::string_view> split_cells(std::string_view line) {
         }
         line.remove_prefix(comma + 1);
     }
+}
+
+// With or without the names of the triangles.
+bool is_header_of_hits(std::vector<std::string_view> cells) {
+    if (cells.size() == 5 && cells.back() == "name") {
+        cells.pop_back();
+    }
+    return cells == std::vector<std::string_view>{"t", "u", "v", "triangle"};
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, int line, const std::string& what) {
@@ -227,6 +235,50 @@ void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits
         text += csv_field(name_of_triangle(scene, hit.triangle)) + "\n";
     }
     write_file(path, text);
+}
+
+std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, most_bytes);
+    if (!is_csv(path)) {
+        if (bytes.size() % sizeof(Hit) != 0) {
+            throw InputError(path.string() + ": the file has " + std::to_string(bytes.size()) +
+                             " bytes, but a hit has 16 (t, u, v as float32, the triangle as "
+                             "int32). Check how it was written.");
+        }
+        std::vector<Hit> hits(bytes.size() / sizeof(Hit));
+        if (!bytes.empty()) {
+            std::memcpy(hits.data(), bytes.data(), bytes.size());
+        }
+        return hits;
+    }
+    std::vector<Hit> hits;
+    bool named = false;
+    std::string_view text = bytes;
+    for (int number = 1; !text.empty(); ++number) {
+        const auto end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        const std::vector<std::string_view> cells = split_cells(line);
+        if (number == 1 || trim(line).empty()) {
+            if (number == 1 && !is_header_of_hits(cells)) {
+                fail(path, 1, "the first line names the columns: t,u,v,triangle.");
+            }
+            named = named || cells.size() > 4;
+            continue;
+        }
+        const bool complete = named ? cells.size() > 4 : cells.size() == 4; // a name has commas
+        const auto triangle = complete ? parse_number<int>(cells[3]) : std::nullopt;
+        std::array<float, 3> numbers{};
+        for (std::size_t i = 0; complete && i < numbers.size(); ++i) {
+            numbers[i] =
+                parse_number<float>(cells[i]).value_or(std::numeric_limits<float>::quiet_NaN());
+        }
+        if (!triangle) {
+            fail(path, number, "a line has t, u, v and the number of a triangle, or -1.");
+        }
+        hits.push_back({numbers[0], numbers[1], numbers[2], *triangle});
+    }
+    return hits;
 }
 
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path,

@@ -46,6 +46,10 @@ void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits
 void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits,
                     const Scene& scene);
 
+// Hits that anybody wrote in these forms. Throws InputError that names the file and the hit or
+// line.
+std::vector<Hit> read_hit_file(const std::filesystem::path& path);
+
 // Rays from the text of a .csv file; the path is named where it is wrong. Throws InputError.
 std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path,
                                const glm::dvec3& origin = glm::dvec3(0.0));

@@ -127,8 +127,11 @@ struct Scene {
     std::vector<Light> lights;
     Camera camera;
     glm::vec3 background{0.0f};
-    std::optional<Sky> sky;            // where there is one, it takes the place of the background
-    std::vector<Model> models;         // where the triangles came from; empty for a sample scene
+    std::optional<Sky> sky;    // where there is one, it takes the place of the background
+    std::vector<Model> models; // where the triangles came from; empty for a sample scene
+    // Triangles that the models' files have and the scene has not, since they are no triangles at
+    // all: their numbers, if they were counted too, ascending.
+    std::vector<int> left_out;
     std::vector<std::string> messages; // what the user should know about how it was loaded
     glm::dvec3 origin{0.0};            // was taken from every coordinate of the files
     std::vector<NamedRun> runs;        // in the order of their triangles

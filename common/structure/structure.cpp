@@ -61,7 +61,8 @@ std::map<std::string, BuildOption> all_build_options() {
     for (const StructureFamily& family : list_families()) {
         for (const BuildOption& option : family.options) {
             merged.try_emplace(option.name, option);
-            const std::string meaning = option.meaning + " (" + option.initial + ")";
+            const std::string meaning =
+                option.meaning + (option.initial.empty() ? "" : " (" + option.initial + ")");
             auto& known = families_of_meaning[option.name];
             const auto same = std::find_if(known.begin(), known.end(), [&](const auto& pair) {
                 return pair.second == meaning;

@@ -58,10 +58,13 @@ void add_walk_options(Options& options, TraceOptions& tracing) {
                              "their hits.");
         }
     });
+    add_build_options(options, tracing.build_values);
+}
+
+void add_build_options(Options& options, std::map<std::string, std::string>& values) {
     for (const auto& [name, option] : all_build_options()) {
-        options.value("--" + name, "", option.meaning, [&, key = name](const std::string& value) {
-            tracing.build_values[key] = value;
-        });
+        options.value("--" + name, "", option.meaning,
+                      [&values, key = name](const std::string& value) { values[key] = value; });
     }
 }
 
@@ -88,7 +91,9 @@ BuiltStructure build_structure(const std::string& structure, std::span<const glm
     check_build_values(request.values, {{structure}});
     request.say = print_memory;
     request.most_texels = most_buffer_texels();
-    const auto own = own_builders.find(family.name);
+    // What a chapter builds by itself it does not read from files.
+    const auto own =
+        request.values.contains("tree") ? own_builders.end() : own_builders.find(family.name);
     BuiltStructure built;
     {
         const WorkNotice notice("building " + structure);

@@ -30,6 +30,9 @@ void add_trace_options(Options& options, TraceOptions& tracing);
 // The same without --structure, for a program that has one of its own.
 void add_walk_options(Options& options, TraceOptions& tracing);
 
+// The options of all builders by themselves, --tree among them.
+void add_build_options(Options& options, std::map<std::string, std::string>& values);
+
 // --view: a part of shaders/view, or the heat map of what a walk through the structure did: its
 // visits (cells or nodes) or its tests (triangles). Of the loop over every triangle, which visits
 // nothing, the heat map is that of its tests.

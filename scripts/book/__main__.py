@@ -1,4 +1,4 @@
-"""python3 -B scripts/book figures|site|serve: makes the book's figures, makes it, serves it or prints it."""
+"""python3 -B scripts/book figures|site|serve: makes the book's figures, makes it, serves it, prints it or packs it."""
 
 import argparse
 import sys
@@ -11,7 +11,8 @@ from book.errors import DONE, WRONG_INPUT, BookError  # noqa: E402
 from book.figures import make_figures  # noqa: E402
 from book.paper import print_book  # noqa: E402
 from book.serve import serve  # noqa: E402
-from book.site import make_site  # noqa: E402
+from book.site import make_site, zip_site  # noqa: E402
+from playground.data import write_large_scenes  # noqa: E402
 
 
 def say(text):
@@ -27,6 +28,7 @@ def _parser():
                         help="the folder in which the book is made")
     parser.add_argument("--all", action="store_true", help="figures that take minutes as well")
     parser.add_argument("--pdf", action="store_true", help="serve nothing: print the book into one file")
+    parser.add_argument("--zip", action="store_true", help="serve nothing: pack the book and the playground into one file")
     parser.add_argument("--port", type=int, default=8000, help="where to serve it")
     return parser
 
@@ -38,6 +40,7 @@ def main(arguments):
     try:
         if options.command == "figures":
             make_figures(ROOT, build, store / "figures", say, with_slow=options.all)
+            write_large_scenes(build, store / "playground", say)
         elif options.command == "site":
             say(f"book: wrote {make_site(ROOT, store, say)}/index.html")
         elif not (store / "site" / "index.html").exists():
@@ -45,6 +48,8 @@ def main(arguments):
             return WRONG_INPUT
         elif options.pdf:
             say(f"book: printed {print_book(ROOT, store)}")
+        elif options.zip:
+            say(f"book: packed {zip_site(store)}")
         else:
             serve(store / "site", options.port)
     except BookError as error:

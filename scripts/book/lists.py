@@ -1,24 +1,17 @@
 """Lists in the book that are collected from the project, so that nothing is written twice."""
 
 import re
-import sys
 
 from . import drawings_zip, plans
 from .contents import chapters, title_of
-
-
-def _course_exercises(root):
-    sys.path.insert(0, str(root / "scripts"))
-    from course import exercises
-    return exercises.load(root)
 
 
 def exercises(links, _page):
     """Every exercise: a row each, by chapter."""
     lines = ["| exercise | what is to be written | in | points |", "| --- | --- | --- | --- |"]
     points = 0
-    for exercise in _course_exercises(links.root):
-        language = "GLSL" if exercise.is_shader else "C++"
+    for exercise in plans.course_exercises(links.root):
+        language = "words" if exercise.experiment else "GLSL" if exercise.is_shader else "C++"
         lines.append(f"| {exercise.number} | {exercise.title} | {language} | 1 |")
         points += 1
     return [*lines, f"| | | together | {points} |"]

@@ -1,6 +1,7 @@
 """Plans for a course, from docs/book/plans.toml: an item for each sitting, with the minutes that reading and writing take."""
 
 import re
+import sys
 import tomllib
 from fractions import Fraction
 
@@ -9,8 +10,14 @@ from .errors import BookError
 
 PLANS = "docs/book/plans.toml"
 WORDS_A_MINUTE = 60  # of a text with formulas and drawings, read with a pencil in hand
-MINUTES_AN_EXERCISE = 20
 ROUNDED_TO = 5
+
+
+def course_exercises(root):
+    """The exercises of the coursework, in their order."""
+    sys.path.insert(0, str(root / "scripts"))
+    from course import exercises
+    return exercises.load(root)
 
 
 def words_in(text):
@@ -45,10 +52,11 @@ def plan(name):
     """The list of that plan, an item for each sitting or week."""
     def lines(links, _page):
         made = []
+        minutes = {exercise.number: exercise.minutes for exercise in course_exercises(links.root)}
         for row in tomllib.loads((links.root / PLANS).read_text())[name]:
             pages = [_reading(links, entry) for entry in row["read"]]
             reading = _rounded(sum(minutes for _, minutes in pages))
-            writing = MINUTES_AN_EXERCISE * len(row["exercises"])
+            writing = sum(minutes[number] for number in row["exercises"])
             made += [f"-   **{row['when']}.** Read {', '.join(link for link, _ in pages)}: {reading} minutes. Exercises "
                      f"{', '.join(row['exercises'])}: {writing} minutes.<br>",
                      f"    *In class:* {row['show']}.<br>",

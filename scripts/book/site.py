@@ -3,9 +3,11 @@
 import json
 import shutil
 import subprocess
+import zipfile
 from pathlib import Path
 
 from drawings.palette import page_style
+from playground.data import copy_page
 
 from .errors import BookError, MachineError
 from .interfaces import make_interfaces
@@ -80,6 +82,7 @@ def make_site(root, store, say):
     viewer = fetch_viewer(root, store / "viewer", say)
     order = make_pages(root, pages, store / "figures", viewer is not None)
     _copy_assets(root, pages, viewer)
+    copy_page(root, store / "playground", pages / "playground")
     make_interfaces(root, pages / "api", say)
     file = store / "mkdocs.yml"
     file.write_text(json.dumps(settings(pages, site, order, root / THEME), indent=1))
@@ -87,3 +90,13 @@ def make_site(root, store, say):
     # Pages that are not of MkDocs' making name no icon, and browsers then ask for this one.
     shutil.copyfile(site / "assets" / "images" / "favicon.png", site / "favicon.ico")
     return site
+
+
+def zip_site(store):
+    """Packs the site into one file, in a folder: for the server of a school, or a stick."""
+    file = store / "raysteps_book.zip"
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted((store / "site").rglob("*")):
+            if path.is_file():
+                archive.write(path, Path("raysteps_book") / path.relative_to(store / "site"))
+    return file

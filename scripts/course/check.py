@@ -1,14 +1,16 @@
 """Checks one exercise: checkpoint after checkpoint, up to the first that is wrong."""
 
 import shutil
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from . import compare, engine as engines
+from . import compare, engine as engines, experiment, marks, rounds
 from .errors import CourseError, MachineError
-from .own import named_as_the_person_knows, overlay, read_own
+from .own import named_as_the_person_knows, overlay, place_of, read_own
+from .witness import complaint
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
+PICTURE_WAITS = "a checkpoint before it is wrong"
 RAY_BY_RAY = ("checkpoint", "function")  # what asks each ray, or its eight numbers, by itself
 STATES = {"compile": "does not compile", "crash": "crashed", "time": "stopped", "machine": "failed"}
 
@@ -25,6 +27,7 @@ class Result:
     right: list = field(default_factory=list)  # the names of the checkpoints before
     pictures: dict = field(default_factory=dict)
     no_picture: str = ""  # why there is none
+    outside: str = ""  # which lines outside the marks were changed, in words
 
 
 def _is_picture(question):
@@ -54,14 +57,64 @@ def _program(engine, exercise):
     return engine.shaders_program() if exercise.is_shader else engine.builders_program()
 
 
-def _ask_own(engine, exercise, folder, questions):
-    if exercise.is_shader:
-        return engines.ask(engine, _program(engine, exercise), exercise.chapter, questions,
-                           folder / "shaders")
-    program = engines.build_with(engine, exercise.file, folder)
-    if isinstance(program, engines.Failure):
-        return program
-    return engines.ask(engine, program, exercise.chapter, questions)
+def _asker(engine, exercise, folder):
+    """A function that asks the person's code; a Failure where it does not compile."""
+    program, own = _program(engine, exercise), folder / "shaders"
+    if not exercise.is_shader:
+        program, own = engines.build_with(engine, exercise.file, folder), folder
+        if isinstance(program, engines.Failure):
+            return program
+    return lambda questions, by=engine: engines.ask(by, program, exercise.chapter, questions, own)
+
+
+def ask_own(engine, exercise, folder, questions):
+    ask = _asker(engine, exercise, folder)
+    return ask if isinstance(ask, engines.Failure) else ask(questions)
+
+
+def _smaller(question, rays):
+    """The question about less, again and again, each with its index and step: ray by ray, or for a builder
+    about more and more boxes."""
+    if question["kind"] in RAY_BY_RAY:
+        for index, ray in enumerate(rays):
+            yield index, 1, {**question, "rays": [ray], "random_rays": 0}
+    elif question["kind"] == "builder":
+        least = question.get("numbers", {}).get("least", 2)
+        for count in range(least, len(rays) + 1):
+            numbers = {**question.get("numbers", {}), "least": count}
+            yield 0, count - least + 1, {**question, "rays": rays[:count], "random_rays": 0,
+                                         "numbers": numbers}
+
+
+def _find_failure(engine, result, ask, checkpoints, questions, reference):
+    """At which checkpoint C++ crashes or never ends, and for what it was given."""
+    quick = replace(engine, limits=replace(engine.limits, cpu_seconds=1, seconds=10))
+    for checkpoint, question, wanted in zip(checkpoints, questions, reference):
+        if not isinstance(ask([question], quick), engines.Failure):
+            continue
+        result.checkpoint = checkpoint
+        for index, step, less in _smaller(question, wanted.rays):
+            if isinstance(ask([less], quick), engines.Failure):
+                result.wrong = compare.Wrong(index, step, wanted.rays[index], [], asked=wanted.rays)
+                return
+        return
+
+
+def _find_endless(engine, result, own):
+    """Whether the shader's answer is wrong because of a loop that never ends, which the renderer left."""
+    checkpoint, exercise = result.checkpoint, result.exercise
+    if checkpoint.question["kind"] != "checkpoint" or not rounds.has_loop(own.composed.text):
+        return
+    question = {**checkpoint.question, "rays": result.wrong.asked, "random_rays": 0}
+    with overlay(exercise, own, counts_rounds=True) as folder:
+        answers = _asker(engine, exercise, folder)([question])
+    found = None if isinstance(answers, engines.Failure) else rounds.endless(answers[0])
+    if found:
+        step, index, line = found
+        result.state = STATES["time"]
+        result.message = (f"{place_of(line, exercise, own)}: this loop never ends. It was left after "
+                          f"{rounds.MOST_ROUNDS} rounds.")
+        result.wrong = compare.Wrong(index, step, result.wrong.asked[index], [])
 
 
 def _failed(result, failure, own):
@@ -83,7 +136,7 @@ def _compare_all(result, answers, reference, checkpoints, is_usual):
         result.right.append(checkpoint.name)
 
 
-def _compare_pictures(engine, result, own, folder, store):
+def _compare_pictures(engine, result, own, ask, store):
     """The exercise's picture against the reference's. What was wrong before stays."""
     exercise = result.exercise
     checkpoint = next((c for c in exercise.checkpoints if _is_picture(c.question)), None)
@@ -92,7 +145,7 @@ def _compare_pictures(engine, result, own, folder, store):
     reference = engines.reference_picture(engine, exercise.chapter, checkpoint.question)
     store.mkdir(parents=True, exist_ok=True)
     yours = store / f"exercise_{exercise.number.replace('.', '_')}"
-    made = _ask_own(engine, exercise, folder, [{**checkpoint.question, "picture": str(yours)}])
+    made = ask([{**checkpoint.question, "picture": str(yours)}])
     if isinstance(made, engines.Failure):
         if result.state == PASSED:
             _failed(result, made, own)
@@ -103,7 +156,7 @@ def _compare_pictures(engine, result, own, folder, store):
     found = engines.ask(engine, engine.shaders_program(), exercise.chapter, [question])
     if isinstance(found, engines.Failure):
         raise MachineError(f"the pictures cannot be compared: {found.message}")
-    column, row, pixels, _ = found[0].steps[0][0]
+    column, row, pixels = found[0].steps[0][0][:3]
     shutil.copyfile(f"{reference}.png", f"{yours}_reference.png")
     result.pictures = {"yours": f"{yours}.png", "reference": f"{yours}_reference.png",
                        "compared": f"{yours}.compared.png", "wrong_pixels": pixels}
@@ -115,9 +168,9 @@ def _compare_pictures(engine, result, own, folder, store):
         result.right.append(checkpoint.name)
 
 
-def check(engine, exercise, folder, rays=None, store=None):
+def check(engine, exercise, folder, rays=None, store=None, is_shown=False):
     """The result for one exercise of a workbook. Pictures are compared where they have a place,
-    `store`."""
+    `store`; after a wrong checkpoint only where they are to be shown."""
     result = Result(exercise, PASSED)
     if not (Path(folder) / exercise.file).is_file():
         result.state = MISSING
@@ -127,25 +180,57 @@ def check(engine, exercise, folder, rays=None, store=None):
     except CourseError as error:
         result.state, result.message = FAILED, str(error)
         return result
-    if own.is_stub:
+    tries_a_ray = exercise.plants and rays is not None  # of the mistake that is hunted
+    if own.is_stub and not tries_a_ray:
         result.state = NOT_STARTED
         return result
-    return judge(engine, exercise, own, rays, store)
+    if exercise.plants and rays is None:
+        return _judge_hunt(engine, exercise, own, folder)
+    return judge(engine, exercise, own, rays, store, is_shown)
 
 
-def judge(engine, exercise, own, rays=None, store=None):
+def _judge_hunt(engine, exercise, own, folder):
+    """The witness, then the part. Where the part is wrong is what the person is to find: a check says
+    no ray and no picture."""
+    code = marks.regions((Path(folder) / exercise.file).read_text(errors="replace"),
+                         exercise.file)[exercise.number].code
+    wrong = complaint(engine, exercise, code, ask_own)
+    if wrong:
+        return Result(exercise, FAILED, wrong, outside=own.outside)
+    result = judge(engine, exercise, own)
+    if result.wrong:
+        result.message = f"The witness is right; the part is wrong still, at {result.checkpoint.name}."
+        result.checkpoint = result.wrong = None
+    return result
+
+
+def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
     """The result for a file that is ready for the compiler, be it a stub or not."""
-    result = Result(exercise, PASSED)
+    if exercise.experiment:
+        code = marks.regions(own.composed.text, exercise.file)[exercise.number].code
+        wrong = experiment.complaint(engine, exercise, code)
+        return Result(exercise, FAILED if wrong else PASSED, wrong)
+    result = Result(exercise, PASSED, outside=own.outside)
     checkpoints, questions = _asked(exercise, rays)
     reference = engines.ask_reference(engine, _program(engine, exercise), exercise.chapter, questions)
     with overlay(exercise, own) as folder:
+        ask = _asker(engine, exercise, folder)
+        if isinstance(ask, engines.Failure):
+            return _failed(result, ask, own)
         for asked in _rounds(engine, exercise, len(questions)):
-            answers = _ask_own(engine, exercise, folder, questions[asked])
+            answers = ask(questions[asked])
             if isinstance(answers, engines.Failure):
+                if not exercise.is_shader:
+                    _find_failure(engine, result, ask, checkpoints, questions, reference)
                 return _failed(result, answers, own)
             _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)
             if result.state != PASSED:
                 break
-        if store is not None and exercise.is_shader:
-            _compare_pictures(engine, result, own, folder, store)
+        if result.wrong and exercise.is_shader and engine.companions is None:
+            _find_endless(engine, result, own)
+        has_picture = any(_is_picture(checkpoint.question) for checkpoint in exercise.checkpoints)
+        if store is not None and has_picture and (result.state == PASSED or is_shown):
+            _compare_pictures(engine, result, own, ask, store)
+        elif store is not None and has_picture:
+            result.no_picture = PICTURE_WAITS
     return result

@@ -4,38 +4,44 @@ import argparse
 import difflib
 import json
 import os
+import subprocess
 import sys
 import time
 from pathlib import Path
 
-from . import check, engine as engines, exercises as catalog, formulas, grade, report, submission
-from . import verify, view as viewer, workbook
-from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError
+from . import bubblewrap, check, class_report, engine as engines, exercises as catalog, formulas, grade
+from . import headers, report, submission, verify, view as viewer, workbook
+from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError, MachineError
+from .own import overlay, read_own
 
 WORKBOOK = catalog.ROOT / "workbook"
+FINE = (check.PASSED, check.NOT_STARTED)
 
 
 def _print_json(value):
     print(json.dumps(value, indent=1))
 
 
-def _engine(options):
+def _engine(options, exercises):
+    """What checks these exercises."""
     engine = engines.Engine()
-    engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
+    if options.seconds:
+        engine.limits.seconds = engine.limits.cpu_seconds = options.seconds
     engine.limits.memory_bytes = options.memory << 30
     engine.build_limits.memory_bytes = options.memory << 30
     if options.build:
         engine.build = Path(options.build).resolve()
-        for program in (engine.shaders_program(), engine.builders_program()):
+        for program in engine.programs_for(exercises):
             if not program.exists():
                 raise CourseError(f"{program}: is not there. Build it, or leave out --build.")
         return engine
-    engines.ensure_programs(engine)
+    engines.ensure_programs(engine, engine.programs_for(exercises))
     return engine
 
 
 def start(options):
-    made = workbook.start(options.workbook, catalog.load())
+    seed = workbook.new_seed() if options.seed is None else options.seed
+    made = workbook.start(options.workbook, catalog.load(), seed)
     if options.json:
         _print_json({"made": made})
         return DONE
@@ -93,8 +99,7 @@ def _check_once(options, engine):
         _print_json({"results": [report.as_json(result) for result in results]})
     elif len(results) > 1:
         print(report.summary(results))
-    fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
-    return DONE if all(result.state in fine for result in results) else CHECK_FAILED
+    return DONE if all(result.state in FINE for result in results) else CHECK_FAILED
 
 
 def _times(options):
@@ -105,7 +110,7 @@ def _times(options):
 
 def check_some(options):
     workbook.require(options.workbook)
-    engine = _engine(options)
+    engine = _engine(options, catalog.select(catalog.load(), options.which))
     code = _check_once(options, engine)
     while options.watch:
         before = _times(options)
@@ -118,21 +123,54 @@ def check_some(options):
 
 def view(options):
     exercise = catalog.select_one(catalog.load(), options.which)
-    engine = _engine(options)
+    engine = _engine(options, [exercise])
     rays = _given_ray(options)
     if rays:
-        return viewer.open_visualizer(engine, viewer.given_ray(exercise, rays[0]),
-                                      options.screenshot)
+        words = viewer.given_ray(exercise, rays[0])
+        both = viewer.both_walks(engine, exercise, viewer.checkpoint_of_rays(exercise), rays[0],
+                                 options.workbook)
+        print(_what_is_seen(both), flush=True)
+        return viewer.open_visualizer(engine, both or words, options.screenshot)
     workbook.require(options.workbook)
-    result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures")
+    for is_shown in (False, True):  # the picture of what is wrong only where no ray can be shown
+        result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures",
+                             is_shown)
+        if result.state in FINE or viewer.wrong_ray(result):
+            break
     print(report.as_text(result), flush=True)
     words = viewer.wrong_ray(result)
     if words is None:
         print(viewer.nothing_to_see(exercise))
-        fine = (check.PASSED, check.NOT_STARTED, check.MISSING)
-        return DONE if result.state in fine else CHECK_FAILED
-    print("What you see is the right walk, by the project's own lines.", flush=True)
-    return viewer.open_visualizer(engine, words, options.screenshot)
+        return DONE if result.state in FINE else CHECK_FAILED
+    both = viewer.both_wrong_walks(engine, result, options.workbook)
+    print(_what_is_seen(both), flush=True)
+    return viewer.open_visualizer(engine, both or words, options.screenshot)
+
+
+def _what_is_seen(both):
+    if both is None:
+        return ("What you see is the right walk, by the project's own lines. No other walk of yours "
+                "was found.")
+    return ("First stands your walk, as your lines made it round by round; then the right one. It opens "
+            "where they part, and the key D jumps there.")
+
+
+def run_program(options):
+    """A program of the project with the person's lines of one exercise, and the project's own for all
+    others."""
+    exercise = catalog.select_one(catalog.load(), options.which)
+    workbook.require(options.workbook)
+    if not exercise.is_shader:
+        raise CourseError(f"{exercise.number} is in C++, and a program would have to be built with it. "
+                          f"`./course check {exercise.number} --ray=...` tries numbers of yours.")
+    build = Path(options.build or engines.BUILD) / "chapters"
+    programs = sorted(build.glob(f"{options.program}*/{options.program}*"))
+    program = next((path for path in programs if path.name == path.parent.name), None)
+    if program is None:
+        raise CourseError(f"{options.program}: is not built. `./run.sh {options.program} --help` builds it.")
+    with overlay(exercise, read_own(exercise, options.workbook)) as folder:
+        environment = {**os.environ, "RAYSTEPS_SHADERS": str(folder / "shaders")}
+        return subprocess.run([program, *options.arguments], env=environment, check=False).returncode
 
 
 def hint(options):
@@ -154,7 +192,7 @@ def show(options):
     if options.json:
         _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
                      "file": str(path), "formulas": exercise.formulas, "source": exercise.source,
-                     "chapter": exercise.chapter,
+                     "chapter": exercise.chapter, "includes": headers.of(exercise),
                      "checkpoints": [checkpoint.name for checkpoint in exercise.checkpoints]})
         return DONE
     print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
@@ -165,9 +203,12 @@ def show(options):
     if code is not None:
         line = f":{_line_of(path, exercise)}"
     print(f"\nfile         {os.path.relpath(path)}{line}")
+    for place, words in enumerate(headers.as_text(exercise)):
+        print(f"{'' if place else 'headers':<12} {words}")
     print(f"lesson       chapters/{exercise.chapter}/README.md")
     print(f"source       {exercise.source}")
-    print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
+    if exercise.checkpoints:
+        print(f"checkpoints  {', '.join(checkpoint.name for checkpoint in exercise.checkpoints)}")
     print(f"check        ./course check {exercise.number}")
     print(f"hint         ./course hint {exercise.number}")
     return DONE
@@ -175,7 +216,7 @@ def show(options):
 
 def _line_of(path, exercise):
     from . import marks
-    return marks.regions(path.read_text(errors="replace"), path)[exercise.number].first
+    return marks.regions(marks.text_of(path), path)[exercise.number].first
 
 
 def reset(options):
@@ -225,12 +266,15 @@ def _grade_submissions(options):
     chosen = catalog.select(catalog.load(), options.only)
     if options.merge:
         return grade.merge(options.merge)
-    engine = _engine(options)
+    if options.one and not Path(options.one).exists():
+        raise CourseError(f"{options.one}: there is no such submission.")
+    if not options.without_sandbox:
+        bubblewrap.require()
+    engine = _engine(options, chosen)
+    engine.is_enclosed = not options.without_sandbox
     paths = [Path(options.one)] if options.one else submission.list_submissions(Path(options.folder))
     grades = []
     for path in paths:
-        if not path.exists():
-            raise CourseError(f"{path}: there is no such submission.")
         grades.append(grade.grade_one(engine, path, chosen))
         if sys.stderr.isatty():
             print(f"{grades[-1]['submission']}: {grades[-1]['score']} of {grades[-1]['of']}",
@@ -244,13 +288,18 @@ def grade_all(options):
                           "--merge.")
     if options.folder and not Path(options.folder).is_dir():
         raise CourseError(f"{options.folder}: there is no such folder.")
+    if options.gradescope and not options.one:
+        raise CourseError("--gradescope: its format is for one submission. Name it with --one.")
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
-        settings = ["--memory", options.memory, "--seconds", options.seconds]
+        settings = ["--memory", options.memory]
+        settings += ["--seconds", options.seconds] if options.seconds else []
         settings += ["--build", Path(options.build).resolve()] if options.build else []
+        more = ["--only", options.only] if options.only else []
+        more += ["--without-sandbox"] if options.without_sandbox else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
-                                 options.only, settings)
+                                 settings, more)
         print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
               f"{options.results}")
         return DONE
@@ -259,14 +308,24 @@ def grade_all(options):
         grade.write_csv(options.csv, grades)
     if options.json:
         grade.write_json(options.json, grades)
+    if options.gradescope:
+        class_report.write_gradescope(options.gradescope, grades[0])
+    faults = class_report.faults(grades)
+    if options.faults:
+        class_report.write_faults(options.faults, faults)
     for one in grades:
-        print(f"{one['submission']}: {one['score']} of {one['of']}")
+        print(class_report.row(one))
+    if len(grades) > 1 and faults:
+        print("\n" + class_report.faults_text(faults))
+    if any(grade.UNKNOWN in one["exercises"].values() for one in grades):
+        raise MachineError(f"some exercises are `{grade.UNKNOWN}`, since this machine could not check them "
+                           "(--json says why). Grade them again.")
     return DONE
 
 
 def verify_all(options):
-    engine = _engine(options)
     chosen = catalog.select(catalog.load(), options.which)
+    engine = _engine(options, chosen)
 
     def say(finding):
         if not options.json and (options.verbose or not finding.is_right):
@@ -277,11 +336,12 @@ def verify_all(options):
     with engines.with_companions(engine) as staying:
         findings = verify.verify(staying, chosen, engines.STORE / "verify", options.workers, say)
     wrong = [finding for finding in findings if not finding.is_right]
-    caught = [finding for finding in findings if finding.kind == "mutation" and finding.is_right]
+    caught = [finding for finding in findings
+              if finding.kind in ("mutation", "wrong") and finding.is_right]
     if options.json:
         _print_json({"findings": [vars(finding) for finding in findings], "wrong": len(wrong)})
     else:
-        print(f"{len(chosen)} exercises, {len(caught)} mutations caught, {len(findings)} trials, "
+        print(f"{len(chosen)} exercises, {len(caught)} mistakes caught, {len(findings)} trials, "
               f"{len(wrong)} wrong")
     return CHECK_FAILED if wrong else DONE
 
@@ -293,8 +353,8 @@ def _parser():
                                         "course_builders; else build/default, built as needed")
     parser.add_argument("--memory", type=int, default=8, metavar="GIB",
                         help="what a checked program may reserve, in GiB; 0: all there is (8)")
-    parser.add_argument("--seconds", type=int, default=60, metavar="S",
-                        help="what a checked program may take, of the clock and of processors (60)")
+    parser.add_argument("--seconds", type=int, metavar="S",
+                        help="what a checked program may take, of the clock and of processors (60 and 4)")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name, run, text, **which):
@@ -302,13 +362,14 @@ def _parser():
         command.set_defaults(run=run)
         if which:
             command.add_argument("which", **which)
-        if name not in ("grade", "view"):
+        if name not in ("grade", "view", "run"):
             command.add_argument("--json", action="store_true", help="print JSON")
         return command
 
     some = {"nargs": "?", "metavar": "CHAPTER|EXERCISE", "help": "as 04 or 4.2; else all"}
     one = {"metavar": "EXERCISE", "help": "as 4.2"}
-    add("start", start, "make the workbook; what is there stays")
+    command = add("start", start, "make the workbook; what is there stays")
+    command.add_argument("--seed", type=int, help="chooses what is to be hunted; else by chance")
     add("list", list_all, "the exercises, and how far you are", **some)
     command = add("check", check_some, "check exercises", **some)
     command.add_argument("--watch", action="store_true", help="check again at each change")
@@ -316,6 +377,9 @@ def _parser():
     command = add("view", view, "the visualizer at the first wrong ray of an exercise", **one)
     command.add_argument("--ray", help="this ray instead: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
     command.add_argument("--screenshot", metavar="FILE", help="a picture instead of a window")
+    command = add("run", run_program, "a program with your lines of one exercise", **one)
+    command.add_argument("program", metavar="PROGRAM", help="as 03 or hard_cases")
+    command.add_argument("arguments", nargs=argparse.REMAINDER, help="its own options")
     command = add("hint", hint, "a hint, in three levels", **one)
     command.add_argument("--level", type=int, choices=(1, 2, 3), default=1)
     add("show", show, "task, file, formulas and source of an exercise", **one)
@@ -325,7 +389,7 @@ def _parser():
     command = add("pack", pack, "a zip file of your workbook, to hand in")
     command.add_argument("--student", required=True, metavar="NAME", help="the file is NAME.zip")
     command.add_argument("--out", default=".", help="the folder for it")
-    command = add("grade", grade_all, "grade submissions: folders, .zip and .tar.gz files",
+    command = add("grade", grade_all, "grade submissions: folders, zip and tar files",
                   nargs="?")
     command._actions[-1].dest = "folder"
     command.add_argument("--csv", help="a file for the table")
@@ -335,6 +399,11 @@ def _parser():
     command.add_argument("--jobs-file", help="write a command a submission, and grade nothing")
     command.add_argument("--results", default="results", help="the folder for --jobs-file's results")
     command.add_argument("--merge", nargs="+", metavar="JSON", help="join results of --json")
+    command.add_argument("--faults", metavar="CSV", help="a file for what the class fails, and how")
+    command.add_argument("--gradescope", metavar="JSON", help="with --one: a file as Gradescope reads it, "
+                                                              "results.json")
+    command.add_argument("--without-sandbox", action="store_true",
+                         help="where bubblewrap cannot run: what was handed in may do what you may")
     command = add("verify", verify_all, "the author's check of the exercises", **some)
     command.add_argument("--verbose", action="store_true", help="every trial, not only wrong ones")
     command.add_argument("--workers", type=int, default=min(4, os.cpu_count() or 1))

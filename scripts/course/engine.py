@@ -6,29 +6,31 @@ import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from . import sandbox
+from . import bubblewrap, sandbox, together
 from .errors import CourseError, MachineError
 from .exercises import ROOT
+from .failure import Failure, of_refusal, of_run
 
 BUILD = ROOT / "build" / "default"
 STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
 
+SECONDS_BETWEEN_LINES = 5  # of progress, where it goes to a file
+CLOCK_IN_CPP = 20  # seconds: what a right answer in C++ takes is far below
+MOST_BYTES_OF_ANSWERS = 8 << 20
 
-@dataclass
-class Failure:
-    """No answer: `kind` is compile, crash, time or machine."""
 
-    kind: str
-    message: str
-
+# Runs a program on a job. Its answers come out as the last words: in a sandbox no file outlasts it.
+RUN = '"$0" "$1" "$TMPDIR/answers.json" >&2 && cat "$TMPDIR/answers.json"'
 
 @dataclass
 class Answer:
@@ -43,7 +45,8 @@ class Engine:
     build: Path = BUILD
     limits: sandbox.Limits = field(default_factory=sandbox.Limits)
     build_limits: sandbox.Limits = field(
-        default_factory=lambda: sandbox.Limits(seconds=600, cpu_seconds=1200, processes=4096))
+        default_factory=lambda: sandbox.Limits(seconds=300, cpu_seconds=120, processes=4096))
+    is_enclosed: bool = False  # what was handed in is compiled and runs in the sandbox of bubblewrap
     companions: "Companions" = None  # see there; what was handed in never has any
 
     def shaders_program(self):
@@ -51,6 +54,11 @@ class Engine:
 
     def builders_program(self):
         return self.build / "scripts" / "course" / "answers" / "course_builders"
+
+    def programs_for(self, exercises):
+        """Those that check the exercises."""
+        needed = [self.shaders_program()] if any(one.is_shader for one in exercises) else []
+        return needed + ([self.builders_program()] if not all(one.is_shader for one in exercises) else [])
 
 
 def _is_older(program, folders):
@@ -61,28 +69,43 @@ def _is_older(program, folders):
                for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".h", ".inc"))
 
 
-def ensure_programs(engine):
-    """Builds what is missing or out of date, by CMake as everything else is."""
-    programs = [engine.shaders_program(), engine.builders_program()]
-    if not any(_is_older(program, ["common", "scripts/course/answers"]) for program in programs):
+def ensure_programs(engine, programs):
+    """Builds those that are missing or out of date, by CMake as everything else is."""
+    old = [program for program in programs if _is_older(program, ["common", "scripts/course/answers"])]
+    if not old:
         return
-    print("course: building the programs that check, which takes minutes the first time (see "
+    print("course: building what checks, which takes a minute or more the first time (see "
           "build/course/build.log)", file=sys.stderr)
     STORE.mkdir(parents=True, exist_ok=True)
     tests = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF"]
+    targets = [program.name for program in old]
     with locked(STORE / "build.lock"), open(STORE / "build.log", "w") as log:
         for command in (["cmake", "--preset", "default", *tests],
-                        ["cmake", "--build", "--preset", "default", "--target", "course_shaders",
-                         "course_builders"]):
-            try:
-                done = subprocess.run(command, cwd=ROOT, stdout=log, stderr=log, check=False)
-            except FileNotFoundError as error:
-                raise MachineError("cmake is missing. Run ./run.sh once: it installs what lacks.") \
-                    from error
-            if done.returncode != 0:
+                        ["cmake", "--build", "--preset", "default", "--target", *targets]):
+            if _run_with_progress(command, log) != 0:
                 raise MachineError(f"`{' '.join(command)}` failed. Read build/course/build.log.")
-    for program in programs:  # where nothing had to be linked, the time says so too
+    for program in old:  # where nothing had to be linked, the time says so too
         program.touch()
+
+
+def _run_with_progress(command, log):
+    """The exit code. Ninja's `[3/97]` becomes a line that is written again and again on a terminal, and now
+    and then elsewhere."""
+    is_terminal, last = sys.stderr.isatty(), time.monotonic()
+    try:
+        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   text=True, errors="replace")
+    except FileNotFoundError as error:
+        raise MachineError("cmake is missing. Run ./run.sh once: it installs what lacks.") from error
+    with process:
+        for line in process.stdout:
+            log.write(line)
+            done = re.match(r"\[(\d+)/(\d+)\]", line)
+            if done and (is_terminal or time.monotonic() > last + SECONDS_BETWEEN_LINES or done[1] == done[2]):
+                last = time.monotonic()
+                print(f"{chr(13) if is_terminal else ''}course: {done[1]} of {done[2]} parts are built",
+                      end="" if is_terminal and done[1] != done[2] else "\n", file=sys.stderr, flush=True)
+    return process.returncode
 
 
 @contextmanager
@@ -101,7 +124,7 @@ def _shaders(chapter, overlay):
     return ":".join(str(folder) for folder in folders)
 
 
-def _environment(scratch):
+def _environment(scratch="/tmp"):
     kept = {key: os.environ[key] for key in ("PATH", "LANG", "LD_LIBRARY_PATH") if key in os.environ}
     return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch)}
 
@@ -113,6 +136,7 @@ class Companions:
     def __init__(self, engine):
         self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
         self._engine, self._mine, self._all = engine, threading.local(), []
+        self.objects = {}  # of C++ that was compiled ahead, by its text
 
     def ask(self, job):
         if not hasattr(self._mine, "program"):
@@ -123,6 +147,16 @@ class Companions:
                                                    self._folder.name)
             self._all.append(self._mine.program)
         return self._mine.program.ask(json.dumps(job))
+
+    def compile(self, file, texts):
+        """Compiles versions of one C++ source ahead, in one go."""
+        compile_, _, _, made = _build_steps(self._engine, file)
+        folder = Path(self._folder.name) / "versions" / file
+
+        def command(source, object_file):
+            return ["env", "-C", self._engine.build, *_with(_for_own(compile_), o=object_file, c=source)]
+
+        self.objects.update(together.compile_together(command, texts, self._engine.build / made, folder))
 
     def close(self):
         for program in self._all:
@@ -138,21 +172,6 @@ def with_companions(engine):
         yield replace(engine, companions=companions)
     finally:
         companions.close()
-
-
-def _failure(outcome, limits):
-    if outcome.timed_out:
-        return Failure("time", f"was stopped after {outcome.seconds:.0f} s (it may take "
-                               f"{limits.seconds:.0f} s, and {limits.cpu_seconds} s of processors): "
-                               "does a loop never end?")
-    if outcome.code < 0 or outcome.code >= 128:
-        return Failure("crash", f"crashed (signal {abs(outcome.code) % 128}).")
-    return _refusal(outcome.errors.strip() or f"ended with exit code {outcome.code}.")
-
-
-def _refusal(message):
-    is_shader = "does not compile" in message or "do not link" in message
-    return Failure("compile" if is_shader else "machine", message)
 
 
 def _read_answers(path, count):
@@ -175,27 +194,46 @@ def _answers_in(text, count):
 
 
 def ask(engine, program, chapter, questions, overlay=None):
-    """A list of Answer, one a question, or a Failure."""
+    """A list of Answer, one a question, or a Failure. The overlay holds what a person wrote: shaders that
+    come before the project's, or the program itself."""
     if engine.companions and program == engine.shaders_program():
         return _ask_companion(engine, chapter, questions, overlay)
+    is_cpp = program != engine.shaders_program()
+    limits = engine.limits if overlay else replace(engine.limits, cpu_seconds=0)
+    if is_cpp:
+        limits = replace(limits, seconds=min(limits.seconds, CLOCK_IN_CPP))
     with tempfile.TemporaryDirectory(prefix="raysteps_course_") as name:
         scratch = Path(name)
         (scratch / "job.json").write_text(json.dumps({"questions": questions}))
+        command = ["/bin/sh", "-c", RUN, program, scratch / "job.json"]
         environment = {**_environment(scratch), "MESA_SHADER_CACHE_DISABLE": "true",
                        "RAYSTEPS_SHADERS": _shaders(chapter, overlay)}
-        outcome = sandbox.run([program, scratch / "job.json", scratch / "answers.json"],
-                              engine.limits, environment, scratch)
+        if overlay and engine.is_enclosed:
+            readable = [scratch, overlay] if is_cpp else [
+                scratch, overlay, program, ROOT / "shaders", ROOT / "scripts/course/answers/shaders",
+                ROOT / "chapters" / chapter / "exercises"]
+            command, limits = _enclosed(command, limits, readable, lent=[scratch, overlay])
+            environment.update(_environment())
+        outcome = sandbox.run(command, limits, environment, scratch, MOST_BYTES_OF_ANSWERS)
+        bubblewrap.require_start(outcome)
         if outcome.code != 0 or outcome.timed_out:
-            return _failure(outcome, engine.limits)
-        return _read_answers(scratch / "answers.json", len(questions))
+            return of_run(outcome, limits, is_cpp)
+        return _answers_in(outcome.output, len(questions))
+
+
+def _enclosed(command, limits, readable, lent, **others):
+    """The command in the sandbox, and the limits outside of it: that of processes holds inside."""
+    for folder in lent:
+        bubblewrap.lend(folder)
+    return (bubblewrap.around(command, limits.processes, readable, **others), replace(limits, processes=0))
 
 
 def _ask_companion(engine, chapter, questions, overlay):
     outcome = engine.companions.ask({"shaders": _shaders(chapter, overlay), "questions": questions})
     if outcome.code != 0 or outcome.timed_out:
-        return _failure(outcome, engine.limits)
+        return of_run(outcome, engine.limits)
     found = json.loads(outcome.output or "{}")
-    return _refusal(found["message"]) if "message" in found else _answers_in(outcome.output, len(questions))
+    return of_refusal(found["message"]) if "message" in found else _answers_in(outcome.output, len(questions))
 
 
 def _state_of_sources(program):
@@ -212,7 +250,7 @@ def ask_reference(engine, program, chapter, questions):
     """The answers of the project's own sources, kept until those change."""
     key = json.dumps(questions, sort_keys=True) + chapter + _state_of_sources(program)
     kept = STORE / "reference" / (hashlib.sha256(key.encode()).hexdigest() + ".json")
-    if not kept.exists():
+    if isinstance(_read_answers(kept, len(questions)), Failure):  # is not there, or damaged
         answers = ask(engine, program, chapter, questions)
         if isinstance(answers, Failure):
             raise MachineError(f"the project's own sources give no answer: {answers.message}")
@@ -221,11 +259,7 @@ def ask_reference(engine, program, chapter, questions):
         with tempfile.NamedTemporaryFile("w", dir=kept.parent, delete=False) as partial:
             json.dump({"answers": [vars(answer) for answer in answers]}, partial)
         Path(partial.name).rename(kept)
-    answers = _read_answers(kept, len(questions))
-    if isinstance(answers, Failure):
-        kept.unlink()
-        raise MachineError(f"{kept}: the file was damaged, and is removed. Run this again.")
-    return answers
+    return _read_answers(kept, len(questions))
 
 
 def reference_picture(engine, chapter, question):
@@ -253,7 +287,7 @@ def _build_steps(engine, file):
         raise MachineError(f"{engine.build}: was not made for Ninja. Configure it with a preset.")
     listed = subprocess.run([ninja[1], "-C", engine.build, "-t", "commands", "course_builders"],
                             capture_output=True, text=True, check=False)
-    commands = [shlex.split(line) for line in listed.stdout.splitlines()]
+    commands = [_without_launcher(shlex.split(line), cache) for line in listed.stdout.splitlines()]
     compile_ = next((words for words in commands if str(ROOT / file) in words), None)
     if listed.returncode != 0 or compile_ is None:
         raise MachineError(f"{engine.build}: course_builders is not built from {file} there. Build it "
@@ -261,8 +295,38 @@ def _build_steps(engine, file):
     made = compile_[compile_.index("-o") + 1]
     archive = next(word for words in commands if made in words and words is not compile_
                    for word in words if word.endswith(".a"))
-    link = commands[-1][2:]  # after `: &&`
-    return compile_, link[:link.index("&&")], archive
+    link = commands[-1]
+    return compile_, link[:link.index("&&")], archive, made
+
+
+def _without_launcher(words, cache):
+    """The command from its compiler on: one such as ccache wants a folder that a sandbox does not have."""
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.MULTILINE)
+    return words[words.index(compiler[1]):] if compiler[1] in words else words
+
+
+def _headers(engine, words):
+    """What the compiler has to see: the folders of headers, but those of the build file by file, since
+    there are the project's objects as well."""
+    folders = {Path(word[2:]) for word in words if word.startswith("-I")}
+    folders |= {Path(words[i + 1]) for i, word in enumerate(words) if word == "-isystem"}
+    compiler = Path(words[0]).resolve()
+    seen = [] if compiler.is_relative_to("/usr") else [compiler.parents[1]]
+    for folder in sorted(folders):
+        if folder.is_relative_to(engine.build):
+            seen += [path for path in folder.rglob("*") if path.suffix in (".h", ".hpp", ".inc")]
+        elif folder.is_dir() and not folder.is_relative_to("/usr"):
+            seen.append(folder)
+    return seen
+
+
+def _without_own(archive, made, folder):
+    """A copy of the archive without one object: a name that a person's file leaves out is missed, and not
+    found there."""
+    others = folder / "others.a"
+    shutil.copyfile(archive, others)
+    subprocess.run(["ar", "d", others, Path(made).name], check=True)
+    return others
 
 
 def _with(words, **replaced):
@@ -273,19 +337,39 @@ def _with(words, **replaced):
     return words
 
 
+def _for_own(words):
+    """The command for a person's text: what is read beyond a vector's end, or before it was written,
+    shall not be right by luck."""
+    words = list(words)
+    if "-MD" in words:  # the list of headers is the project's own
+        first = words.index("-MD")
+        del words[first:first + 5]
+    return [*words, "-O1", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"]
+
+
 def build_with(engine, file, overlay):
     """course_builders with this one source of the overlay: only that is compiled, and takes the
     place of its namesake among the project's objects. Returns the program's path or a Failure."""
-    compile_, link, archive = _build_steps(engine, file)
-    if "-MD" in compile_:  # the list of headers is the project's own
-        first = compile_.index("-MD")
-        del compile_[first:first + 5]
+    compile_, link, archive, made = _build_steps(engine, file)
     own, program = overlay / "own.o", overlay / "course_builders"
-    link.insert(link.index(archive), str(own))
-    for command in (_with(compile_, o=own, c=overlay / file), _with(link, o=program)):
-        outcome = sandbox.run(command, engine.build_limits, folder=engine.build)
+    commands = [_with(_for_own(compile_), o=own, c=overlay / file)]
+    if engine.companions:
+        ahead = engine.companions.objects.get((overlay / file).read_text())
+        own, commands = (ahead, []) if ahead else (own, commands)
+    place = link.index(archive)
+    link[place:place + 1] = [str(own), str(_without_own(engine.build / archive, made, overlay))]
+    link = _with(link, o=program)
+    for command in (*commands, link):
+        limits = engine.build_limits
+        if engine.is_enclosed:
+            seen = [engine.build] if command is link else _headers(engine, command)
+            command, limits = _enclosed(command, limits, seen, lent=[overlay], writable=[overlay],
+                                        hidden=[] if command is link else [ROOT / file],
+                                        folder=engine.build if command is link else overlay)
+        outcome = sandbox.run(command, limits, _environment() if engine.is_enclosed else None, engine.build)
+        bubblewrap.require_start(outcome)
         if outcome.timed_out:
-            return Failure("time", "took too long to compile.")
+            return Failure("time", "It took too long to compile.")
         if outcome.code != 0:
             return Failure("compile", _compiler_messages(outcome.output + outcome.errors))
     return program

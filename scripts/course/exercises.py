@@ -20,20 +20,21 @@ FARTHEST = struct.unpack("<f", b"\xff\xff\x7f\x7f")[0]  # t_max of a ray without
 USUAL_TOLERANCE = 2.0**-16
 
 # A checkpoint's fields that go to the program as they are.
-PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "options", "seed", "steps",
-             "width", "height", "numbers", "points", "counts", "zeros", "random_rays")
+PASSED_ON = ("kind", "subject", "scene", "triangle", "structure", "observer", "options", "seed",
+             "steps", "width", "height", "numbers", "points", "counts", "zeros", "random_rays", "families")
 
 
 @dataclass
 class Checkpoint:
     name: str
     question: dict
-    values: list  # pairs of name and type: float, int or bool
+    values: list  # pairs of name and type: float, exact (a float, without a tolerance), int or bool
     tolerance: float
     known: list  # of {ray, step, expected, because}
     view: list = field(default_factory=list)  # of a scene that is no sample: its file, and options
     given: dict = field(default_factory=dict)  # names for the eight numbers, where they are no ray
     where: str = ""  # what else the question says
+    observed: bool = True  # whether a shader part has to visit and test what the project's does
 
 
 @dataclass
@@ -48,11 +49,22 @@ class Exercise:
     hints: list
     checkpoints: list
     mutations: list
+    styles: list = field(default_factory=list)  # right answers of another form: {name, code}
+    plants: list = field(default_factory=list)  # of a hunt: mistakes, of which a seed chooses one
+    minutes: int = 20  # that it takes
+    experiment: dict = field(default_factory=dict)  # {arguments, figure, tolerance}: what is measured
+    replaces: str = ""  # the shader that the file stands for in a check, where that is another
+    answers: list = field(default_factory=list)  # of answers.toml: as students write them
     region: marks.Region = field(repr=False, default=None)
 
     @property
     def is_shader(self):
-        return self.file.startswith("shaders/")
+        return self.file.endswith((".glsl", ".frag", ".vert"))
+
+    @property
+    def place(self):
+        """Where the person's file lies when it is compiled."""
+        return self.replaces or self.file
 
 
 def bits(number):
@@ -80,6 +92,8 @@ def ray_bits(ray):
 
 def _checkpoint(table, place):
     question = {key: table[key] for key in PASSED_ON if key in table}
+    if question.get("scene", "").endswith(".obj"):
+        question["scene"] = str(ROOT / question["scene"])
     question["rays"] = [ray_bits(ray) for ray in table.get("rays", [])]
     known = table.get("known", [])
     rays = [ray_bits(entry["ray"]) for entry in known if "ray" in entry]
@@ -88,21 +102,41 @@ def _checkpoint(table, place):
         entry["index"] = index
     values = [tuple(value.split()) for value in table.get("values", [])]
     for value in values:
-        if len(value) != 2 or value[1] not in ("float", "int", "bool"):
-            raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, int "
-                              "or bool. Write it so.")
+        if len(value) != 2 or value[1] not in ("float", "exact", "int", "bool"):
+            raise CourseError(f"{place}: the value `{' '.join(value)}` is no name with float, exact, "
+                              "int or bool. Write it so.")
     given = table.get("given", {})
     if any(number not in range(8) for numbers in given.values() for number in numbers):
         raise CourseError(f"{place}: `given` names numbers of a ray, which are 0 to 7. Write it so.")
     return Checkpoint(table["name"], question, values, table.get("tolerance", USUAL_TOLERANCE), known,
-                      table.get("view", []), given, table.get("where", ""))
+                      table.get("view", []), given, table.get("where", ""),
+                      table.get("observed", "observer" not in table))
 
 
 def _exercise(table, chapter, place):
-    checkpoints = [_checkpoint(entry, place) for entry in table["checkpoint"]]
+    checkpoints = [_checkpoint(entry, place) for entry in table.get("checkpoint", [])]
     return Exercise(table["number"], table["title"], table["file"], chapter, table["task"].strip(),
                     table.get("formulas", []), table.get("source", ""), table["hints"],
-                    checkpoints, table.get("mutation", []))
+                    checkpoints, table.get("mutation", []), table.get("style", []),
+                    table.get("plant", []), table.get("minutes", 20), table.get("experiment", {}),
+                    table.get("replaces", ""))
+
+
+def _answers(path, place):
+    """By exercise: what students wrote who knew only the task and the lesson, each right or wrong,
+    with the reason."""
+    by_number = {}
+    if path.exists():
+        try:
+            for answer in tomllib.loads(path.read_text())["answer"]:
+                if answer["kind"] not in ("right", "wrong") or not answer["why"]:
+                    raise CourseError(f"{place}: the answer `{answer['name']}` is neither right nor "
+                                      "wrong, or does not say why. Write it so.")
+                by_number.setdefault(answer["exercise"], []).append(answer)
+        except (KeyError, tomllib.TOMLDecodeError) as error:
+            raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
+                              "chapters.") from error
+    return by_number
 
 
 def load(root=ROOT):
@@ -116,7 +150,13 @@ def load(root=ROOT):
         except (KeyError, tomllib.TOMLDecodeError) as error:
             raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
                               "chapters.") from error
+        answers = _answers(path.with_name("answers.toml"), place.with_name("answers.toml"))
+        unknown = set(answers) - {exercise.number for exercise in found}
+        if unknown:
+            raise CourseError(f"{place.with_name('answers.toml')}: {min(unknown)} is no exercise of "
+                              f"{place}. Put its number right.")
         for exercise in found:
+            exercise.answers = answers.get(exercise.number, [])
             if exercise.file not in texts:
                 texts[exercise.file] = (root / exercise.file).read_text()
             marked = marks.regions(texts[exercise.file], exercise.file)

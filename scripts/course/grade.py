@@ -8,54 +8,68 @@ from pathlib import Path
 
 from . import report, submission
 from .check import PASSED, Result, check
-from .errors import CourseError
+from .errors import CourseError, MachineError
 from .exercises import ROOT
+
+UNREADABLE, UNKNOWN = "unreadable", "not graded"
 
 
 def grade_one(engine, path, exercises):
-    """{submission, score, of, exercises: {number: state}, details}. Whatever was handed in, there
-    is a grade: what cannot be read has the score 0, and says why."""
-    grade = {"submission": submission.name_of(path), "score": 0, "of": len(exercises)}
+    """{submission, score, of, remarks, exercises: {number: state}, details}. Whatever was handed in,
+    there is a grade: what cannot be read has the score 0, and says why."""
+    grade = {"submission": submission.name_of(path), "score": 0, "of": len(exercises), "remarks": []}
     with tempfile.TemporaryDirectory(prefix="raysteps_grade_") as name:
         folder = Path(name)
         try:
-            submission.unpack(path, folder, exercises)
-            results = [check(engine, exercise, folder) for exercise in exercises]
+            grade["remarks"] = submission.unpack(path, folder, exercises)
+            results = [_check_one(engine, exercise, folder) for exercise in exercises]
         except CourseError as error:
-            if error.code != CourseError.code:
-                raise
-            results = [Result(exercise, "unreadable", str(error)) for exercise in exercises]
+            grade["remarks"] = [str(error)]
+            results = [Result(exercise, UNREADABLE, str(error)) for exercise in exercises]
     grade["score"] = sum(result.state == PASSED for result in results)
     grade["exercises"] = {result.exercise.number: result.state for result in results}
     grade["details"] = [report.as_json(result) for result in results]
     return grade
 
 
+def _check_one(engine, exercise, folder):
+    """Whatever goes wrong with one answer is told at that answer."""
+    try:
+        return check(engine, exercise, folder)
+    except MachineError as error:
+        return Result(exercise, UNKNOWN, str(error))
+    except Exception as error:  # not one of ours: the others' rows must come all the same
+        return Result(exercise, UNKNOWN, f"{exercise.file}: cannot be checked ({error!r}).")
+
+
+def cell(text):
+    """What begins like a formula must not become one in a spreadsheet."""
+    return "'" + text if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
+
+
 def write_csv(path, grades):
     numbers = list(grades[0]["exercises"]) if grades else []
     with open(path, "w", newline="") as file:
         table = csv.writer(file)
-        table.writerow(["submission", "score", "of", *numbers])
+        table.writerow(["submission", "score", "of", *numbers, "remarks"])
         for grade in grades:
-            # A name that begins like a formula must not become one in a spreadsheet.
-            name = grade["submission"]
-            name = "'" + name if name[:1] in ("=", "+", "-", "@") else name
             states = [grade["exercises"].get(number, "") for number in numbers]
-            table.writerow([name, grade["score"], grade["of"], *states])
+            table.writerow([cell(grade["submission"]), grade["score"], grade["of"], *states,
+                            cell(" ".join(grade.get("remarks", [])))])
 
 
 def write_json(path, grades):
     Path(path).write_text(json.dumps({"grades": grades}, indent=1) + "\n")
 
 
-def write_jobs(path, folder, results, wanted, settings):
+def write_jobs(path, folder, results, settings, more):
     """A line of shell for each submission, which any machine with this folder can run. `settings`
-    are options that stand before the command."""
+    are options that stand before the command, `more` those behind it."""
     lines = []
     for one in submission.list_submissions(folder):
         target = results.resolve() / (submission.name_of(one) + ".json")
         words = [ROOT / "course", *settings, "grade", "--one", one.resolve(), "--json", target]
-        words += ["--only", wanted] if wanted else []
+        words += more
         lines.append(f"cd {shlex.quote(str(ROOT))} && " + shlex.join(str(word) for word in words))
     results.mkdir(parents=True, exist_ok=True)
     Path(path).write_text("".join(line + "\n" for line in lines))

@@ -8,6 +8,8 @@
 A workbook's file has the first and the last line, and between them the stub's lines as code.
 """
 
+import codecs
+import difflib
 import re
 from dataclasses import dataclass, field
 
@@ -37,6 +39,15 @@ class Region:
 class Line:
     text: str
     number: int
+
+
+def text_of(path):
+    """A person's file as text, in whichever of its ways an editor wrote it: UTF-8 or UTF-16, with or
+    without a byte order mark, with any ends of lines."""
+    raw = path.read_bytes()
+    is_wide = raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    text = raw.decode("utf-16" if is_wide else "utf-8-sig", errors="replace")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def parse(text, name):
@@ -101,6 +112,31 @@ def is_same(code, other):
     """Whether two codes differ in spaces only."""
     return [" ".join(line.split()) for line in code if line.strip()] == [
         " ".join(line.split()) for line in other if line.strip()]
+
+
+def _outside(text, name):
+    """What is not in an exercise, line by line, without spaces; an exercise is one line."""
+    return [(f"exercise {part.number}", part.last) if isinstance(part, Region)
+            else (" ".join(part.text.split()), part.number) for part in parse(text, name)]
+
+
+def changed_outside(reference, own, name):
+    """In words, which lines outside all exercises are not the project's; empty where all are."""
+    ours, theirs = _outside(reference, name), _outside(own, name)
+    changed, lost = [], []
+    steps = difflib.SequenceMatcher(None, [text for text, _ in ours], [text for text, _ in theirs], False)
+    for kind, start, end, own_start, own_end in steps.get_opcodes():
+        numbers = [number for text, number in theirs[own_start:own_end] if text]
+        missing = sum(bool(text) for text, _ in ours[start:end]) - len(numbers)
+        if kind != "equal" and numbers:
+            changed.append(f"{numbers[0]}-{numbers[-1]}" if len(numbers) > 1 else f"{numbers[0]}")
+        if kind != "equal" and missing > 0:
+            after = theirs[own_start - 1][1] if own_start else 0
+            lost.append(f"{missing} of the project's {'are' if missing > 1 else 'is'} missing after line {after}")
+    is_one = len(changed) == 1 and "-" not in changed[0]
+    words = [f"line{'' if is_one else 's'} {', '.join(changed)} {'is' if is_one else 'are'} not the project's"] \
+        if changed else []
+    return "; ".join(words + lost)
 
 
 @dataclass

@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import marks
+from . import hunt, marks, rounds
 from .errors import CourseError
 from .exercises import ROOT
 
@@ -33,6 +33,7 @@ class Own:
     composed: marks.Composed
     is_stub: bool
     name: str
+    outside: str = ""  # which lines outside the marks were changed, in words
 
 
 def read_own(exercise, folder, chosen=None):
@@ -41,15 +42,16 @@ def read_own(exercise, folder, chosen=None):
     name = str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else exercise.file
     if path.is_symlink() or path.stat().st_size > MOST_BYTES:
         raise CourseError(f"{name}: is a link, or larger than 1 MiB. Hand in the file itself.")
-    own = path.read_text(errors="replace")
+    own = marks.text_of(path)
     reference = (ROOT / exercise.file).read_text()
     composed = marks.compose(reference, own, exercise.file, name, chosen or {exercise.number})
     code = marks.regions(own, name)[exercise.number].code
     _refuse_foreign_includes(exercise, own, reference, name)
-    return Own(composed, marks.is_same(code, exercise.region.stub), name)
+    return Own(composed, marks.is_same(code, hunt.stub_of(exercise, code)), name,
+               marks.changed_outside(reference, own, name))
 
 
-def _text_for_compiler(exercise, own):
+def text_for_compiler(exercise, own):
     """C++ can say itself which line of which file it comes from."""
     if exercise.is_shader:
         return own.composed.text
@@ -62,16 +64,21 @@ def _text_for_compiler(exercise, own):
     return "\n".join(lines)
 
 
+def place_of(line, exercise, own):
+    """`FILE:LINE` as the person knows it, of a line that the compiler was given."""
+    is_own, number = own.composed.origins[line - 1]
+    return f"{own.name if is_own else exercise.file}:{number}"
+
+
 def named_as_the_person_knows(message, exercise, own):
     """`triangle/pluecker.glsl:12:` becomes the line of the person's file."""
-    short = exercise.file.removeprefix("shaders/")
+    short = exercise.place.removeprefix("shaders/")
 
     def name(match):
         line = int(match[1])
         if not 1 <= line <= len(own.composed.origins):
             return match[0]
-        is_own, number = own.composed.origins[line - 1]
-        return f"{own.name if is_own else exercise.file}:{number}:"
+        return place_of(line, exercise, own) + ":"
 
     message = re.sub(r"^The shader \S+ does not compile\. Fix the line that is named:",
                      "Fix the line that is named, or the one before it:", message)
@@ -79,9 +86,12 @@ def named_as_the_person_knows(message, exercise, own):
 
 
 @contextlib.contextmanager
-def overlay(exercise, own):
+def overlay(exercise, own, counts_rounds=False):
     with tempfile.TemporaryDirectory(prefix="raysteps_overlay_") as name:
-        path = Path(name) / exercise.file
+        path = Path(name) / exercise.place
         path.parent.mkdir(parents=True)
-        path.write_text(_text_for_compiler(exercise, own))
+        if counts_rounds:
+            rounds.write_counted(own.composed.text, path, Path(name) / "shaders")
+        else:
+            path.write_text(text_for_compiler(exercise, own))
         yield Path(name)

@@ -3,7 +3,7 @@
 import math
 import os
 
-from .check import FAILED, MISSING, NOT_STARTED, PASSED, RAY_BY_RAY
+from .check import FAILED, MISSING, NOT_STARTED, PASSED, PICTURE_WAITS, RAY_BY_RAY
 from .exercises import from_bits, ray_text
 from .view import wrong_ray
 
@@ -30,9 +30,12 @@ def _for_json(value):
 
 def replay(result):
     """The command that asks this ray alone; empty where there is none."""
-    is_ray = result.wrong and result.checkpoint.question["kind"] in RAY_BY_RAY
-    return (f"./course check {result.exercise.number} --ray={ray_text(result.wrong.ray)}"
-            if is_ray else "")
+    if not result.wrong:
+        return ""
+    again = f"./course check {result.exercise.number}"
+    if result.checkpoint.question["kind"] in RAY_BY_RAY:
+        return f"{again} --ray={ray_text(result.wrong.ray)}"
+    return again if result.state != FAILED else ""
 
 
 def as_json(result):
@@ -59,6 +62,8 @@ def as_json(result):
         found["pictures"] = result.pictures
     if result.no_picture:
         found["no_picture"] = result.no_picture
+    if result.outside:
+        found["outside"] = result.outside
     return found
 
 
@@ -95,14 +100,18 @@ def _asked_lines(wrong, checkpoint):
     return lines
 
 
+def _checkpoint_line(result):
+    what = "the first one that is wrong" if result.state == FAILED else f"{result.state} here"
+    return _line("checkpoint", f"{result.checkpoint.name}: {what}")
+
+
 def _wrong_lines(result):
     wrong, checkpoint = result.wrong, result.checkpoint
-    lines = [_line("checkpoint", f"{checkpoint.name}: the first one that is wrong")]
-    lines += _asked_lines(wrong, checkpoint)
+    lines = [_checkpoint_line(result), *_asked_lines(wrong, checkpoint)]
     if checkpoint.where:
         lines.append(_line("where", checkpoint.where))
     names = [value["name"] for value in wrong.values]
-    if checkpoint.question["kind"] == "rays":
+    if checkpoint.question["kind"] == "rays" and wrong.values:
         names = TEXELS[wrong.step]
     for name, value in zip(names, wrong.values):
         mark = "" if value["right"] else "  <-- wrong"
@@ -139,13 +148,18 @@ def as_text(result):
         lines.append(_line("right", ", ".join(result.right)))
     if result.wrong:
         lines += _wrong_lines(result)
+    elif result.checkpoint and result.state != FAILED:
+        lines.append(_checkpoint_line(result))
+    if result.outside and result.state not in (PASSED, NOT_STARTED):
+        lines.append(_line("outside", f"{result.outside}. Put them back, unless they are functions of "
+                                      "your own."))
     if result.pictures and result.state != PASSED:
         lines += _picture_lines(result.pictures)
     if result.no_picture:
         lines.append(_line("picture", f"none: {result.no_picture.splitlines()[0]}"))
     if replay(result):
         lines.append(_line("replay", replay(result)))
-    if wrong_ray(result):
+    if wrong_ray(result) or result.no_picture == PICTURE_WAITS:
         lines.append(_line("view", f"./course view {exercise.number}"))
     return "\n".join(lines)
 

@@ -8,17 +8,20 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 MOST_BYTES_SHOWN = 20_000
+SECONDS_BETWEEN_LOOKS = 0.1
 
 
 @dataclass
 class Limits:
-    seconds: float = 60.0  # of the clock
-    cpu_seconds: int = 60  # of all of its threads together; 0: no limit
-    memory_bytes: int = 8 << 30  # of addresses: the software renderer reserves far more than it uses; 0: no limit
+    seconds: float = 60.0  # of the clock: other programs may hold it up
+    cpu_seconds: int = 4  # of all of its threads together; 0: no limit. The project's own code takes 1.2
+    memory_bytes: int = 8 << 30  # of addresses, which the software renderer reserves far more of than it uses;
+    # and of memory that is used, for all of its processes together; 0: no limit
     file_bytes: int = 64 << 20  # of each file that it writes, its output included
-    processes: int = 512  # of this user; the system does not count those of root
+    processes: int = 512  # of this user, where the system counts them: not those of root; 0: no limit
 
 
 @dataclass
@@ -40,7 +43,7 @@ def _limit(limits):
                        (resource.RLIMIT_NPROC, limits.processes),
                        (resource.RLIMIT_CORE, 0)):
         _, hard = resource.getrlimit(kind)
-        if kind in (resource.RLIMIT_AS, resource.RLIMIT_CPU) and most == 0:
+        if kind != resource.RLIMIT_CORE and most == 0:
             continue
         most = most if hard == resource.RLIM_INFINITY else min(most, hard)
         # At the lower limit of time a signal says so; at the upper one there is no way on.
@@ -55,31 +58,71 @@ def _kill_all(process):
         pass
 
 
-def _tail(file):
+def _family(pid):
+    """The process, and all that it has started: of a sandbox's those too that have left their group."""
+    waiting, found = [pid], []
+    while waiting:
+        found.append(waiting.pop())
+        try:
+            for children in list(Path(f"/proc/{found[-1]}/task").glob("*/children")):
+                waiting += map(int, children.read_text().split())
+        except OSError:  # it has ended meanwhile
+            pass
+    return found
+
+
+def _used_memory(pid):
+    pages = 0
+    for one in _family(pid):
+        try:
+            pages += int(Path(f"/proc/{one}/statm").read_text().split()[1])
+        except (OSError, IndexError):  # it has ended meanwhile
+            pass
+    return pages * resource.getpagesize()
+
+
+def _wait(process, limits):
+    """Until it ends or is to be ended. Whether there was no time left for it."""
+    end = time.monotonic() + limits.seconds
+    while True:
+        try:
+            process.wait(timeout=min(SECONDS_BETWEEN_LOOKS, max(0.0, end - time.monotonic())))
+            return False
+        except subprocess.TimeoutExpired:
+            if time.monotonic() >= end:
+                return True
+            if limits.memory_bytes and _used_memory(process.pid) > limits.memory_bytes:
+                return False
+
+
+def _tail(file, most=MOST_BYTES_SHOWN):
     end = file.seek(0, os.SEEK_END)
-    file.seek(max(0, end - MOST_BYTES_SHOWN))
+    file.seek(max(0, end - most))
     return file.read().decode(errors="replace")
 
 
-def run(command, limits, environment=None, folder=None):
-    """Output goes to files without a name, which the limits hold as well."""
+def signal_of(code):
+    """The number of the signal that ended a run; 0 where none did. A shell and bubblewrap add it to 128."""
+    return -code if code < 0 else max(0, code - 128)
+
+
+def run(command, limits, environment=None, folder=None, most_shown=MOST_BYTES_SHOWN):
+    """Output goes to files without a name, which the limits hold as well; its end is returned."""
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         start = time.monotonic()
-        timed_out = False
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=errors,
                                    env=environment, cwd=folder, preexec_fn=lambda: _limit(limits))
         try:
-            process.wait(timeout=limits.seconds)
-        except subprocess.TimeoutExpired:
-            timed_out = True
+            timed_out = _wait(process, limits)
         except BaseException:  # the person pressed Ctrl-C
             _kill_all(process)
             process.wait()
             raise
         _kill_all(process)  # what it left running goes too
         code = process.wait()
-        timed_out = timed_out or code == -signal.SIGXCPU
-        return Outcome(code, timed_out, _tail(output), _tail(errors), time.monotonic() - start)
+        timed_out = timed_out or signal_of(code) == signal.SIGXCPU
+        return Outcome(code, timed_out, _tail(output, most_shown), _tail(errors),
+                       time.monotonic() - start)
 
 
 class Companion:

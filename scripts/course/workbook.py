@@ -2,11 +2,12 @@
 
 import hashlib
 import json
+import secrets
 import shutil
 
-from . import marks
+from . import hunt, marks
 from .errors import CourseError
-from .exercises import ROOT
+from .exercises import ROOT, load
 
 PROGRESS = "progress.json"
 
@@ -15,15 +16,28 @@ def files_of(exercises):
     return sorted({exercise.file for exercise in exercises})
 
 
-def start(folder, exercises):
-    """Makes what is missing; never over a file that is there. Returns the files made."""
+def new_seed():
+    """Of four digits, so that a person can say it."""
+    return secrets.randbelow(9000) + 1000
+
+
+def _blank(file, exercises, seed):
+    """The project's file with the stub of each exercise in the place of its solution."""
+    stubs = {exercise.number: hunt.stub_of(exercise, seed=seed) for exercise in exercises
+             if exercise.file == file}
+    return marks.with_code((ROOT / file).read_text(), file, stubs)
+
+
+def start(folder, exercises, seed):
+    """Makes what is missing; never over a file that is there. The seed chooses what is hunted.
+    Returns the files made."""
     made = []
     for file in files_of(exercises):
         path = folder / file
         if path.exists():
             continue
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(marks.blank((ROOT / file).read_text(), file))
+        path.write_text(_blank(file, exercises, seed))
         made.append(file)
     return made
 
@@ -36,7 +50,7 @@ def require(folder):
 def code_of(folder, exercise):
     """The person's lines of an exercise; None where they cannot be read."""
     try:
-        text = (folder / exercise.file).read_text(errors="replace")
+        text = marks.text_of(folder / exercise.file)
         return marks.regions(text, exercise.file)[exercise.number].code
     except (OSError, KeyError, CourseError):
         return None
@@ -69,7 +83,7 @@ def state_of(folder, exercise):
     code = code_of(folder, exercise)
     if code is None:
         return "missing"
-    if marks.is_same(code, exercise.region.stub):
+    if marks.is_same(code, hunt.stub_of(exercise, code)):
         return "not started"
     known = _read_progress(folder).get(exercise.number)
     is_current = isinstance(known, dict) and known.get("code") == _digest(code)
@@ -89,17 +103,18 @@ def reset(folder, exercise):
     """Puts the stub back. Where that changes the file, it is kept as it was beside it: returns the
     copy's path."""
     path = folder / exercise.file
-    reference = (ROOT / exercise.file).read_text()
-    text = marks.blank(reference, exercise.file)
+    seed = new_seed()
+    text = _blank(exercise.file, load(), seed)
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         return None
-    own = path.read_text(errors="replace")
+    own = marks.text_of(path)
     try:
         others = {number: region.code for number, region in marks.regions(own, path).items()
                   if number != exercise.number}
-        text = (marks.with_code(own, path, {exercise.number: exercise.region.stub})
+        stub = hunt.stub_of(exercise, code_of(folder, exercise) or (), seed)
+        text = (marks.with_code(own, path, {exercise.number: stub})
                 if exercise.number in marks.regions(own, path)
                 else marks.with_code(text, path, others))
     except CourseError:  # its marks are broken: the whole file starts anew

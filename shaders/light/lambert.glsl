@@ -1,4 +1,5 @@
-// Diffuse light: (N.L)C, the cosine clamped at zero.
+// Diffuse light: (N.L)C. A light that the surface does not face adds nothing, and is not asked for:
+// so the cosine needs no clamp.
 // Source: Wang and Wen, "Research of Acceleration Structures for GPU Based Ray Tracing", 2010,
 // section 2.2.
 

@@ -13,6 +13,7 @@
 
 const float rounding_unit = 5.9604644775390625e-8f; // 2^-24
 
+//# exercise 3.6: a hunt, for spots of shadow
 real largest_coordinate(real3 p) {
     return max(abs(p.x), max(abs(p.y), abs(p.z)));
 }
@@ -22,3 +23,4 @@ real leaving_distance(real3 a, real3 b, real3 c) {
     real largest = max(largest_coordinate(a), max(largest_coordinate(b), largest_coordinate(c)));
     return real(64.0f * rounding_unit) * largest;
 }
+//# end

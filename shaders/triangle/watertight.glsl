@@ -7,6 +7,7 @@
 #include "triangle/watertight/exact_area.glsl"
 
 Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int triangle) {
+    //# exercise 8.5: a hunt, for a leak
     real3 p = sheared(ray, a);
     real3 q = sheared(ray, b);
     real3 r = sheared(ray, c);
@@ -20,4 +21,5 @@ Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int triangle)
     real area_b = exact_area(r, p, rx, ry, px, py);
     real area_c = exact_area(p, q, px, py, qx, qy);
     return watertight_hit(ray, p, q, r, real3(area_a, area_b, area_c), triangle);
+    //# end
 }

@@ -1,6 +1,7 @@
 #include "parting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raysteps {
 
@@ -25,12 +26,23 @@ std::size_t step_of_test(const RecordedWalk& walk, std::size_t test) {
     return step_or_last(walk, static_cast<std::size_t>(place - walk.steps.begin()));
 }
 
+// Whether both have found the same so far. Another triangle test than ours may round otherwise, by
+// much less than this part of t (scripts/course/exercises.py allows the same).
+constexpr float same_t = 0x1p-16f;
+
+bool same_nearest(const Hit& a, const Hit& b) {
+    return a.triangle == b.triangle &&
+           (a.triangle == no_triangle ||
+            std::abs(a.t - b.t) <= same_t * std::max({1.0f, std::abs(a.t), std::abs(b.t)}));
+}
+
 std::optional<Parting> part_by_places(const RecordedWalk& a, const RecordedWalk& b) {
     const std::size_t both = std::min(a.steps.size(), b.steps.size());
     std::size_t i = 0;
     while (i < both && a.steps[i].cell == b.steps[i].cell &&
            a.steps[i].outcome == b.steps[i].outcome &&
-           same_tests(tests_of(a, a.steps[i]), tests_of(b, b.steps[i]))) {
+           same_tests(tests_of(a, a.steps[i]), tests_of(b, b.steps[i])) &&
+           same_nearest(a.steps[i].nearest, b.steps[i].nearest)) {
         ++i;
     }
     if (i == a.steps.size() && i == b.steps.size()) {
@@ -54,10 +66,8 @@ std::optional<Parting> part_by_tests(const RecordedWalk& a, const RecordedWalk& 
 } // namespace
 
 std::optional<Parting> find_parting(const WalkIn& first, const WalkIn& second) {
-    const bool has_places = first.structure.kind != CellKind::none;
-    return has_places && same_cells(first.structure, second.structure)
-               ? part_by_places(first.walk, second.walk)
-               : part_by_tests(first.walk, second.walk);
+    return same_cells(first.structure, second.structure) ? part_by_places(first.walk, second.walk)
+                                                         : part_by_tests(first.walk, second.walk);
 }
 
 } // namespace raysteps

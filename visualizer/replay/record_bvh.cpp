@@ -7,13 +7,14 @@ namespace raysteps {
 namespace {
 
 // A node of a BVH lies once in each octant's order (shaders/structure/bvh/bvh_nodes.glsl). This
-// finds its place in octant 0, for places asked in the order in which a walk comes to them: parents
-// first.
+// finds its place in octant 0, at once for places asked in the order in which a walk comes to them:
+// parents first.
 class OctantPlaces {
 public:
     // Must not outlive the structure.
     explicit OctantPlaces(const PackedStructure& packed);
 
+    bool knows(int place) const;
     int in_first_octant(int place);
 
 private:
@@ -25,13 +26,27 @@ private:
 OctantPlaces::OctantPlaces(const PackedStructure& packed)
     : packed_(packed), count_(packed.numbers.at("bvh_node_count")) {}
 
+bool OctantPlaces::knows(int place) const {
+    const auto nodes = packed_.integer_vectors.find("bvh_nodes");
+    const std::size_t places = nodes == packed_.integer_vectors.end()
+                                   ? static_cast<std::size_t>(count_) // one octant, as in half_bvh
+                                   : nodes->second.size() / 2;
+    return place >= 0 && static_cast<std::size_t>(place) < places;
+}
+
 // An inner node makes its children known: the near one lies behind it, the far one is its second.
 int OctantPlaces::in_first_octant(int place) {
     const int octant = place / count_;
     if (octant == 0) {
         return place;
     }
-    const int here = place == octant * count_ ? 0 : known_.at(place);
+    const int root = octant * count_;
+    if (place != root && !known_.contains(place)) { // a walk that was told may leave parents out
+        for (int before = root; before < place; ++before) {
+            in_first_octant(before);
+        }
+    }
+    const int here = place == root ? 0 : known_.at(place);
     const std::vector<glm::ivec4>& nodes = packed_.integer_vectors.at("bvh_nodes");
     const int link = nodes[2 * static_cast<std::size_t>(place) + 1].w;
     if (link < 0) {
@@ -59,6 +74,8 @@ struct ExplainBox {
 
     ExplainBox(Mirror& mirror, const typename Mirror::Ray& mirror_ray, const RecorderInput& input)
         : t_max(mirror_ray.t_max), boxes(mirror.box_ray(mirror_ray)), places(input.packed) {}
+
+    bool knows(const Mirror&, int place) const { return places.knows(place); }
 
     Step visit(Mirror& mirror, int place, const typename Mirror::Hit& nearest) {
         const auto node = mirror.bvh_node(place);
@@ -118,6 +135,11 @@ struct ExplainFourBoxes {
             }
             known[child.link] = child;
         }
+    }
+
+    bool knows(Mirror& mirror, int place) const {
+        const int link = mirror.is_bvh4_leaf(place) ? place : mirror.bvh4_node(place);
+        return link == 0 || known.contains(link);
     }
 
     Step visit(Mirror& mirror, int place, const typename Mirror::Hit& nearest) const {

@@ -11,6 +11,8 @@ struct ExplainTest {
     ExplainTest(const Mirror&, const typename Mirror::Ray& mirror_ray, const RecorderInput&)
         : ray(mirror_ray) {}
 
+    bool knows(const Mirror&, int) const { return true; }
+
     Step visit(const Mirror&, int, const typename Mirror::Hit&) const {
         Step step;
         step.outcome = Outcome::tested;

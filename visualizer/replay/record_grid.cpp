@@ -12,6 +12,11 @@ struct ExplainCell {
     ExplainCell(Mirror& mirror, const typename Mirror::Ray& mirror_ray, const RecorderInput&)
         : ray(mirror_ray), t(mirror.part_in_grid(mirror_ray).start) {}
 
+    bool knows(Mirror& mirror, int number) const {
+        const glm::ivec3 cells = mirror.grid_cells;
+        return number >= 0 && number < cells.x * cells.y * cells.z;
+    }
+
     Step visit(Mirror& mirror, int number, const typename Mirror::Hit&) const {
         const glm::ivec3 cell = mirror.grid_cell_of(number);
         const typename Mirror::real3 leaves(mirror.leaving(ray, 0, cell.x),

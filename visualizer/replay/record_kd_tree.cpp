@@ -45,7 +45,10 @@ struct ExplainNode {
     ExplainNode(Mirror& mirror, const typename Mirror::Ray& mirror_ray, const RecorderInput& input)
         : ray(mirror_ray), exits(input, {mirror_ray.origin, mirror_ray.direction, mirror_ray.t_min,
                                          mirror_ray.t_max}),
-          t(mirror.part_in_tree(mirror_ray).entry) {}
+          t(mirror.part_in_tree(mirror_ray).entry),
+          nodes(static_cast<int>(input.packed.integer_vectors.at("kd_nodes").size())) {}
+
+    bool knows(const Mirror&, int place) const { return place >= 0 && place < nodes; }
 
     Step visit(Mirror& mirror, int place, const typename Mirror::Hit&) {
         const auto node = mirror.kd_node(place);
@@ -93,6 +96,7 @@ struct ExplainNode {
     typename Mirror::Ray ray;
     BoxExits exits;
     float t; // where the walk is
+    int nodes;
     int last_place = no_cell;
 };
 

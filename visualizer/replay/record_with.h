@@ -1,5 +1,6 @@
 #pragma once
 
+#include "basics/error.h"
 #include "basics/threads.h"
 #include "mirror/walks.h"
 #include "walk_recorder.h"
@@ -13,6 +14,7 @@ namespace raysteps {
 
 // What tells one step of a family from its events. The tests that follow a visit belong to it.
 //   Explain(mirror, ray, input): prepares
+//   bool explain.knows(mirror, place): whether the structure has that place
 //   Step explain.visit(mirror, place, nearest): what is known when the walk comes to a place
 //   void explain.leave(step): when the walk comes to the next one
 //   Ending explain.ending(walk): why there was no further step
@@ -79,12 +81,57 @@ RecordedWalk record_with(const RecorderInput& input, const Ray& ray, Question qu
     return walk;
 }
 
+// What a walk tells, step by step: its own places, tests and hits, and what they mean here.
+template <class Mirror, class Explain>
+RecordedWalk explain_with(const RecorderInput& input, const ToldWalk& told) {
+    auto mirror = mirror::mirror_of<Mirror>(input.scene, input.packed);
+    const int triangles = static_cast<int>(input.scene.corners.size() / 3);
+    RecordedWalk walk;
+    walk.told_by = told.name;
+    walk.ray = told.ray;
+    walk.question = told.question;
+    walk.hit = told.hit;
+    const auto mirror_ray = mirror::to_mirror<Mirror>(told.ray);
+    const auto prepared = mirror.prepare_ray(mirror_ray);
+    auto nearest = mirror.miss(mirror_ray);
+    Explain explain(mirror, mirror_ray, input);
+    for (const ToldStep& said : told.steps) {
+        if (!walk.steps.empty() && walk.steps.back().cell != no_cell) {
+            explain.leave(walk.steps.back());
+        }
+        Step step;
+        if (explain.knows(mirror, said.place)) {
+            step = explain.visit(mirror, said.place, nearest);
+        }
+        step.place = said.place;
+        step.round = said.round;
+        step.first_test = walk.tests.size();
+        for (const int triangle : said.tested) {
+            if (triangle < 0 || triangle >= triangles) {
+                throw InputError(told.name + ": the walk tests triangle " +
+                                 std::to_string(triangle) + ", but the scene has " +
+                                 std::to_string(triangles) + ". Name the scene of the walk.");
+            }
+            add_test(walk, mirror, prepared, triangle, nearest);
+        }
+        step.end_test = walk.tests.size();
+        step.nearest = said.nearest;
+        nearest = {said.nearest.t, said.nearest.u, said.nearest.v, said.nearest.triangle};
+        walk.steps.push_back(step);
+    }
+    walk.ending = told.ended ? Ending::told : Ending::cut;
+    return walk;
+}
+
 // The recorder of one mirror.
 template <class Mirror, class Explain>
 WalkRecorder recorder_of(const RecorderInput& input) {
     WalkRecorder recorder;
     recorder.record = [input](const Ray& ray, Question question) {
         return record_with<Mirror, Explain>(input, ray, question);
+    };
+    recorder.explain = [input](const ToldWalk& told) {
+        return explain_with<Mirror, Explain>(input, told);
     };
     recorder.count = [input](std::span<const Ray> rays) {
         std::vector<WalkCount> counts(rays.size());

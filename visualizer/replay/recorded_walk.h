@@ -33,6 +33,8 @@ enum class Ending {
     ray_is_over, // at t_max
     outside,     // the ray has left the structure
     all_seen,    // no node or triangle is left
+    told,        // recorded elsewhere: it ends there, and why is not known
+    cut,         // recorded elsewhere, and not to its end
 };
 
 // One triangle test, and what it found.
@@ -46,6 +48,7 @@ struct TriangleTest {
 struct Step {
     Outcome outcome = Outcome::leaf;
     int place = 0;      // as the walk calls it
+    int round = 0;      // in which it began, of a walk that was recorded round by round
     int cell = no_cell; // in StructureCells; no_cell where there is no structure
     float entry = 0.0f; // where the ray is in the box; entry > exit where it is not
     float exit = 0.0f;
@@ -61,6 +64,7 @@ struct Step {
 // What a ray did in a structure, from beginning to end.
 struct RecordedWalk {
     std::string structure; // bvh_ordered
+    std::string told_by;   // the name of a walk that was recorded elsewhere; empty of ours
     Ray ray;
     Question question = Question::nearest;
     std::vector<Step> steps;

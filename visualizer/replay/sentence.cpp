@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace raysteps {
@@ -42,7 +40,9 @@ std::string tests_text(const RecordedWalk& walk, const Step& step) {
     const bool cut_short = walk.ending == Ending::found && &step == &walk.steps.back();
     std::string text = count_of(tested, "triangle") + " tested";
     if (left_out > 0 && !cut_short) {
-        text += ", " + std::to_string(left_out) + " passed over (tested in the cell before)";
+        const std::string why =
+            walk.told_by.empty() ? " passed over (tested in the cell before)" : " left out";
+        text += ", " + std::to_string(left_out) + why;
     }
     return tested == 0 ? text : text + ", " + hit_text(walk, step);
 }
@@ -111,6 +111,10 @@ std::string ending_of(const RecordedWalk& walk) {
         return "the ray is over: " + hit;
     case Ending::outside:
         return "the ray has left the structure: " + hit;
+    case Ending::told:
+        return "the walk ends with " + hit;
+    case Ending::cut:
+        return "the walk was not recorded to its end: " + hit;
     case Ending::all_seen:
         break;
     }
@@ -120,8 +124,11 @@ std::string ending_of(const RecordedWalk& walk) {
 std::string sentence_of(const StructureCells& structure, const RecordedWalk& walk,
                         std::size_t number) {
     const Step& step = walk.steps.at(number);
-    const std::string place = step.cell == no_cell ? "triangle " + std::to_string(step.place)
-                                                   : cell_name(structure, step.cell);
+    const bool lacks_place = step.cell == no_cell && structure.kind != CellKind::none;
+    const std::string place =
+        lacks_place ? "place " + std::to_string(step.place) + " that the structure does not have"
+        : step.cell == no_cell ? "triangle " + std::to_string(step.place)
+                               : cell_name(structure, step.cell);
     std::string sentence = "step " + std::to_string(number + 1) + ": " + place + ", " +
                            body_of(walk, step, structure.kind == CellKind::kd_tree);
     const bool is_last = number + 1 == walk.steps.size();

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 // The words of a line, and how another walk may say the same.
 using Words = std::vector<std::string>;
 
-const Words nearer{"if (is_nearer(hit, nearest)) {", "if (is_nearer(hit, leaf.nearest)) {"};
+const Words nearer{"if (is_nearer(hit, nearest) &&", "if (is_nearer(hit, leaf.nearest) &&"};
 const Words found_any{"found = hit.t <= near_enough;", "ended = hit.t <= near_enough;"};
 
 const Words grid_leaves{"int axis = first_axis(leaves);"};
@@ -126,6 +126,18 @@ std::vector<fs::path> files_of(const std::string& structure) {
     return files;
 }
 
+// The number of the exercise that a line belongs to, from that of the line before it: marks stand
+// around what a student writes.
+std::string exercise_at(const std::string& line, const std::string& before) {
+    const std::string begin = "//# exercise ";
+    const std::size_t found = line.find(begin);
+    if (found != std::string::npos) {
+        const std::size_t number = found + begin.size();
+        return line.substr(number, line.find(':', number) - number);
+    }
+    return line.find("//# end") != std::string::npos ? "" : before;
+}
+
 } // namespace
 
 ShaderLine find_line(const std::string& structure, const std::vector<std::string>& words) {
@@ -135,12 +147,14 @@ ShaderLine find_line(const std::string& structure, const std::vector<std::string
             ShaderLine found;
             int number = 0;
             int times = 0;
+            std::string exercise;
             for (const std::string& line : lines_of(file)) {
                 ++number;
+                exercise = exercise_at(line, exercise);
                 const bool is_stub = line.find("//# stub:") != std::string::npos; // of an exercise
                 if (!is_stub && line.find(wanted) != std::string::npos) {
                     ++times;
-                    found = {file, number, line.substr(line.find_first_not_of(' '))};
+                    found = {file, number, line.substr(line.find_first_not_of(' ')), exercise};
                 }
             }
             if (times == 1) {

@@ -11,8 +11,9 @@ namespace raysteps {
 // A line of a shader: structure/grid/grid.glsl:66.
 struct ShaderLine {
     std::string file;
-    int number = 0;   // from 1
-    std::string text; // without the spaces before it
+    int number = 0;       // from 1
+    std::string text;     // without the spaces before it
+    std::string exercise; // 4.4, where the line is for a student to write
 };
 
 // The line that decides what became of a step, in the file of the walk or in one that it includes.

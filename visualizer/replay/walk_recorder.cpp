@@ -37,6 +37,11 @@ WalkRecorder make_recorder(const std::string& structure, const RecorderInput& in
         walk.structure = structure;
         return walk;
     };
+    recorder.explain = [structure, explain = recorder.explain](const ToldWalk& told) {
+        RecordedWalk walk = explain(told);
+        walk.structure = structure;
+        return walk;
+    };
     return recorder;
 }
 

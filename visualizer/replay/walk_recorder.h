@@ -3,6 +3,7 @@
 #include "mirror/mirror_scene.h"
 #include "recorded_walk.h"
 #include "structure/structure.h"
+#include "told_walk.h"
 
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,9 @@ struct WalkRecorder {
     std::string structure;
     std::function<RecordedWalk(const Ray& ray, Question question)> record;
     std::function<std::vector<WalkCount>(std::span<const Ray> rays)> count; // on all cores; nearest
+    // What a walk told of its steps means in this structure. A place that the structure does not
+    // have is no_cell. Throws InputError where a triangle that it tests is not in the scene.
+    std::function<RecordedWalk(const ToldWalk& told)> explain;
 };
 
 // What a recorder reads. Must outlive it.

@@ -46,9 +46,16 @@ std::string head_of(const Stage& stage, const Pane& pane) {
     return stage.panes().size() > 1 ? pane.label + ": " : "";
 }
 
+// A line that students write is named and not shown: pictures stand in the book.
 std::string shader_text(const RecordedWalk& walk, std::size_t step) {
+    if (!walk.told_by.empty()) { // by lines that are not here
+        const int round = walk.steps[step].round;
+        return round > 0 ? "recorded in round " + std::to_string(round) : "recorded";
+    }
     const ShaderLine found = deciding_line(walk, step);
-    return "shaders/" + found.file + ":" + std::to_string(found.number) + "   " + found.text;
+    const std::string place = "shaders/" + found.file + ":" + std::to_string(found.number);
+    return found.exercise.empty() ? place + "   " + found.text
+                                  : place + ", a line of exercise " + found.exercise;
 }
 
 std::string hint_of() {

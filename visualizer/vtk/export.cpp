@@ -3,7 +3,7 @@
 #include "basics/error.h"
 #include "structure/bvh/bvh_split.h"
 #include "visualizer/cell_choice.h"
-#include "visualizer/json_files.h"
+#include "visualizer/walk_file.h"
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>

@@ -1,5 +1,8 @@
-// The ray's direction, reflected about the unit vector along its origin.
+// The ray's direction, reflected about the unit vector along its origin; in steps 2 to 4 a very
+// short and a very long one.
 
 uvec4 checkpoint(Ray ray, int step) {
-    return bits_of_point(reflect_about(ray.direction, unit(ray.origin)), 0);
+    real scale = scale_of(step);
+    real3 reflected = reflect_about(scale * ray.direction, unit(ray.origin));
+    return bits_of_point(reflected / scale, 0);
 }

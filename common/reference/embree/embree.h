@@ -4,6 +4,7 @@
 #include "basics/ray.h"
 #include "basics/threads.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -75,6 +76,20 @@ struct EmbreeTree {
     std::size_t triangles = 0; // in all leaves
 };
 
+// A node of such a tree: with two children, or without any and with the triangles
+// [first, first + count) of the list.
+struct EmbreeNode {
+    Box box;
+    std::array<std::int32_t, 2> children{-1, -1};
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+};
+
+struct EmbreeNodes {
+    std::vector<EmbreeNode> nodes; // the root is node 0
+    std::vector<std::int32_t> triangles;
+};
+
 // Embree's builder for structures of one's own, rtcBuildBVH: a binary tree at medium quality
 // (binned SAH), on one thread.
 class EmbreeBuilder {
@@ -90,6 +105,9 @@ public:
 
     // Once for each time that it was prepared. Throws MachineError where Embree fails.
     EmbreeTree build();
+
+    // The nodes of what was built last.
+    EmbreeNodes nodes() const;
 
 private:
     struct Inside;

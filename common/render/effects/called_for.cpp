@@ -89,6 +89,7 @@ void add_camera_effects(Calls& calls, const Scene& scene) {
 
 void add_light_effects(Calls& calls, const Scene& scene, const std::vector<int>& seen) {
     const long lights = count_shining(scene);
+    //# exercise 9.7: a hunt, for an effect that nothing calls for
     if (lights == 0) {
         return;
     }
@@ -114,6 +115,7 @@ void add_light_effects(Calls& calls, const Scene& scene, const std::vector<int>&
     calls.add(Effect::glass_shadows,
               reason_of(scene, triangles_of_materials(scene),
                         [](const Material& material) { return is_glass(material); }));
+    //# end
 }
 
 // The eye is in all of these planes: the four sides, and the one that parts what is before the eye

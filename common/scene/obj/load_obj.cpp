@@ -268,6 +268,10 @@ void SceneMaker::add_face(const ObjFace& face) {
         polygon.push_back(file_.positions[corner.position]);
 
     const std::vector<PolygonTriangle> triangles = triangulate_polygon(polygon);
+    // A polygon of n corners is n - 2 triangles to whoever does not look where they lie.
+    for (std::size_t i = triangles.size() + 2; i < polygon.size(); ++i)
+        scene_.left_out.push_back(triangle_count(scene_) +
+                                  static_cast<int>(triangles.size() + scene_.left_out.size()));
     if (triangles.empty()) {
         findings_.note("A face with fewer than three different corners was dropped", face.line);
         return;

@@ -32,6 +32,7 @@ BvhMeasures measure_bvh(const Bvh& bvh, const BvhOptions& options) {
         measures.depth = std::max(measures.depth, depths[i]);
         measures.longest_leaf =
             std::max(measures.longest_leaf, static_cast<std::size_t>(node.count));
+        measures.references += static_cast<std::size_t>(node.count);
         ++measures.leaves;
     }
     return measures;

@@ -73,6 +73,7 @@ struct BvhOptions {
 struct BvhMeasures {
     std::size_t nodes = 0;
     std::size_t leaves = 0;
+    std::size_t references = 0;   // triangles in all leaves together
     std::size_t longest_leaf = 0; // in triangles
     int depth = 0;                // of the deepest leaf, the root being at 0
     double cost = 0.0;

@@ -120,6 +120,7 @@ BvhMeasures measure_bvh4(const Bvh4& bvh, const BvhOptions& options) {
             measures.depth = std::max(measures.depth, depth);
             measures.longest_leaf =
                 std::max(measures.longest_leaf, static_cast<std::size_t>(child.count));
+            measures.references += static_cast<std::size_t>(child.count);
             ++measures.leaves;
         } else if (child.first != no_bvh4_node) {
             depths[static_cast<std::size_t>(child.first)] = depth;

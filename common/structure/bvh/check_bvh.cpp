@@ -2,139 +2,359 @@
 
 #include "structure/padding.h"
 
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
 namespace raysteps {
 
 namespace {
 
-using Faults = std::vector<std::string>;
+std::size_t place_of(std::int32_t number) {
+    return static_cast<std::size_t>(number);
+}
 
-constexpr std::size_t most_faults = 10;
+bool is_finite(const Box& box) {
+    bool finite = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        finite = finite && std::isfinite(box.lower[axis]) && std::isfinite(box.upper[axis]);
+    }
+    return finite;
+}
+
+// Where the inner box reaches out of the outer one; nothing where it does not. Both are numbers.
+struct Excess {
+    int axis = 0;
+    float side = 0.0f;  // of the outer box
+    float reach = 0.0f; // of the inner one
+};
+
+std::optional<Excess> excess_of(const Box& outer, const Box& inner) {
+    std::optional<Excess> worst;
+    const auto take = [&](int axis, float side, float reach) {
+        const auto beyond = [](const Excess& excess) {
+            return std::abs(static_cast<double>(excess.reach) - static_cast<double>(excess.side));
+        };
+        const Excess excess{axis, side, reach};
+        if (!worst || beyond(excess) > beyond(*worst)) {
+            worst = excess;
+        }
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (inner.lower[axis] < outer.lower[axis]) {
+            take(axis, outer.lower[axis], inner.lower[axis]);
+        }
+        if (inner.upper[axis] > outer.upper[axis]) {
+            take(axis, outer.upper[axis], inner.upper[axis]);
+        }
+    }
+    return worst;
+}
+
+std::string sentence_of(std::size_t node, const std::string& other, const Excess& excess) {
+    const double beyond =
+        std::abs(static_cast<double>(excess.reach) - static_cast<double>(excess.side));
+    return fmt::format("The box of node {} does not hold {}: it ends at {} = {:.9g}, which {} "
+                       "reaches {:.9g}, {:.3g} beyond.",
+                       node, other, "xyz"[excess.axis], excess.side, other, excess.reach, beyond);
+}
+
+bool has_area(std::span<const glm::vec3> corners, std::size_t triangle) {
+    const glm::dvec3 a(corners[3 * triangle]);
+    const glm::dvec3 b(corners[3 * triangle + 1]);
+    const glm::dvec3 c(corners[3 * triangle + 2]);
+    return glm::cross(b - a, c - a) != glm::dvec3(0.0);
+}
+
+// A node, and the next of its children to go to.
+struct Station {
+    std::size_t node = 0;
+    std::size_t next = 0;
+};
+
+// Where each node was met on the way through the tree.
+enum class Meeting : std::uint8_t { never, open, closed };
+
+class TreeInspection {
+public:
+    TreeInspection(const BoxTree& tree, std::span<const glm::vec3> corners, double padding)
+        : tree_(tree), corners_(corners), padding_(padding), listed_(corners.size() / 3, 0) {}
+
+    TreeFindings inspect() {
+        if (!tree_.nodes.empty()) {
+            walk();
+            find_lost_nodes();
+        }
+        find_lost_triangles();
+        if (tree_.splits) {
+            find_uncovered_points();
+        }
+        return std::move(findings_);
+    }
+
+private:
+    void walk() {
+        meetings_.assign(tree_.nodes.size(), Meeting::never);
+        std::vector<Station> way;
+        enter(0, way);
+        const auto width = static_cast<std::size_t>(tree_.width);
+        while (!way.empty()) {
+            Station& here = way.back();
+            if (here.next == width) {
+                meetings_[here.node] = Meeting::closed;
+                way.pop_back();
+                continue;
+            }
+            const std::size_t parent = here.node;
+            const std::int32_t child = children_of(tree_, parent)[here.next++];
+            if (child != no_child) {
+                follow(parent, child, way);
+            }
+        }
+    }
+
+    void follow(std::size_t parent, std::int32_t child, std::vector<Station>& way) {
+        if (child < 0 || place_of(child) >= tree_.nodes.size()) {
+            findings_.faults.add(fault_of_link, [&] {
+                return "Node " + std::to_string(parent) + " has a child " +
+                       (child == far_out ? "of a number too large" : std::to_string(child)) +
+                       ", and the nodes are 0 to " + std::to_string(tree_.nodes.size() - 1) + ".";
+            });
+            return;
+        }
+        const std::size_t node = place_of(child);
+        if (meetings_[node] == Meeting::open) {
+            findings_.faults.add(fault_of_cycle, [&] {
+                return "Node " + std::to_string(parent) + " leads back to node " +
+                       std::to_string(node) + ", from which it is reached.";
+            });
+            return;
+        }
+        if (meetings_[node] == Meeting::closed) {
+            findings_.faults.add(fault_of_second_parent, [&] {
+                return "Node " + std::to_string(node) + " is reached twice, the second time from " +
+                       "node " + std::to_string(parent) + ".";
+            });
+            return;
+        }
+        const Box& own = tree_.nodes[node].box;
+        const Box& outer = tree_.nodes[parent].box;
+        if (const auto excess = excess_of(outer, own);
+            excess && is_finite(own) && is_finite(outer)) {
+            findings_.faults.add(fault_of_child_box, [&] {
+                return sentence_of(parent, "its child " + std::to_string(node), *excess);
+            });
+        }
+        enter(node, way);
+    }
+
+    void enter(std::size_t node, std::vector<Station>& way) {
+        const Box& box = tree_.nodes[node].box;
+        if (!is_finite(box)) {
+            findings_.faults.add(fault_of_numbers, [&] {
+                return fmt::format("The box of node {} is ({:g}, {:g}, {:g}) to ({:g}, {:g}, "
+                                   "{:g}).",
+                                   node, box.lower.x, box.lower.y, box.lower.z, box.upper.x,
+                                   box.upper.y, box.upper.z);
+            });
+        } else if (is_empty(box)) {
+            findings_.faults.add(fault_of_sides, [&] {
+                return "The box of node " + std::to_string(node) +
+                       " has a lower side above its upper one.";
+            });
+        }
+        if (is_leaf(tree_, node)) {
+            meetings_[node] = Meeting::closed;
+            look_into_leaf(node);
+            return;
+        }
+        meetings_[node] = Meeting::open;
+        way.push_back({node, 0});
+    }
+
+    void look_into_leaf(std::size_t node) {
+        const BvhNode& leaf = tree_.nodes[node];
+        if (leaf.count == 0) {
+            findings_.faults.add(fault_of_empty_leaf, [&] {
+                return "Leaf " + std::to_string(node) + " has no triangle.";
+            });
+            return;
+        }
+        if (leaf.first < 0 || leaf.count < 0 ||
+            place_of(leaf.first) + place_of(leaf.count) > tree_.order.size()) {
+            findings_.faults.add(fault_of_range, [&] {
+                return fmt::format("Leaf {} has the triangles {} to {} of the list, and the list "
+                                   "has {}.",
+                                   node, leaf.first, std::int64_t{leaf.first} + leaf.count - 1,
+                                   tree_.order.size());
+            });
+            return;
+        }
+        // Leaves that share their triangles again and again would take for ever.
+        seen_ += place_of(leaf.count);
+        if (seen_ > most_references(tree_)) {
+            findings_.faults.add(fault_of_range, [&] {
+                return "Leaf " + std::to_string(node) +
+                       " has triangles that others have had several times; it is passed over.";
+            });
+            return;
+        }
+        for (const std::int32_t triangle :
+             std::span(tree_.order).subspan(place_of(leaf.first), place_of(leaf.count))) {
+            look_at_triangle(node, triangle);
+        }
+    }
+
+    void look_at_triangle(std::size_t node, std::int32_t triangle) {
+        if (triangle < 0 || place_of(triangle) >= listed_.size()) {
+            findings_.faults.add(fault_of_triangle, [&] {
+                return triangle == far_out ? "Leaf " + std::to_string(node) +
+                                                 " names a triangle that is not in the scene."
+                                           : "Leaf " + std::to_string(node) + " names triangle " +
+                                                 std::to_string(triangle) + ", and the scene has " +
+                                                 std::to_string(listed_.size()) + ".";
+            });
+            return;
+        }
+        ++listed_[place_of(triangle)];
+        if (tree_.splits) {
+            leaves_.emplace_back(triangle, static_cast<std::int32_t>(node));
+            return;
+        }
+        const Box& box = tree_.nodes[node].box;
+        const Box own = bounds_of(corners_.subspan(3 * place_of(triangle), 3));
+        if (!is_finite(box)) {
+            return;
+        }
+        if (const auto excess = excess_of(box, own)) {
+            findings_.faults.add(fault_of_leaf_box, [&] {
+                return sentence_of(node, "triangle " + std::to_string(triangle), *excess);
+            });
+        } else if (const auto room = excess_of(box, pad(own, padding_))) {
+            findings_.remarks.add(remark_of_tight_box, [&] {
+                return fmt::format("The box of node {} does not hold triangle {} grown by the "
+                                   "padding {:.3g}.",
+                                   node, triangle, padding_);
+            });
+        }
+    }
+
+    void find_lost_nodes() {
+        for (std::size_t i = 0; i < meetings_.size(); ++i) {
+            if (meetings_[i] == Meeting::never &&
+                !std::ranges::count(tree_.gaps, static_cast<std::int32_t>(i))) {
+                findings_.faults.add(fault_of_lost_node, [&] {
+                    return "Node " + std::to_string(i) + " is reached from no other.";
+                });
+            }
+        }
+    }
+
+    void find_lost_triangles() {
+        for (std::size_t i = 0; i < listed_.size(); ++i) {
+            if (listed_[i] == 0) {
+                const bool area = has_area(corners_, i);
+                (area ? findings_.faults : findings_.remarks)
+                    .add(area ? fault_of_lost_triangle : remark_of_no_area,
+                         [&] { return "Triangle " + std::to_string(i) + " is in no leaf."; });
+            } else if (listed_[i] > 1 && !tree_.splits) {
+                findings_.faults.add(fault_of_double, [&] {
+                    return "Triangle " + std::to_string(i) + " is listed " +
+                           std::to_string(listed_[i]) + " times.";
+                });
+            }
+        }
+    }
+
+    // Points all over each triangle, each of which lies in the box of a leaf that lists it.
+    void find_uncovered_points() {
+        constexpr int steps = 6;
+        std::sort(leaves_.begin(), leaves_.end());
+        for (auto first = leaves_.begin(); first != leaves_.end();) {
+            const std::int32_t triangle = first->first;
+            const auto end = std::find_if(first, leaves_.end(),
+                                          [&](const auto& each) { return each.first != triangle; });
+            const glm::dvec3 a(corners_[3 * place_of(triangle)]);
+            const glm::dvec3 b(corners_[3 * place_of(triangle) + 1]);
+            const glm::dvec3 c(corners_[3 * place_of(triangle) + 2]);
+            bool covered = true;
+            for (int i = 0; i <= steps && covered; ++i) {
+                for (int j = 0; i + j <= steps && covered; ++j) {
+                    const glm::dvec3 point =
+                        a + (b - a) * (i / double{steps}) + (c - a) * (j / double{steps});
+                    covered = std::any_of(first, end, [&](const auto& each) {
+                        return holds(tree_.nodes[place_of(each.second)].box, point);
+                    });
+                }
+            }
+            if (!covered) {
+                findings_.faults.add(fault_of_leaf_box, [&] {
+                    return "The boxes of the " + std::to_string(end - first) +
+                           " leaves that list triangle " + std::to_string(triangle) +
+                           " do not cover it, the first being node " +
+                           std::to_string(first->second) + ".";
+                });
+            }
+            first = end;
+        }
+    }
+
+    // A point that is rounded, in a box whose sides are; NaN holds nothing.
+    static bool holds(const Box& box, const glm::dvec3& point) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double room = 0x1p-22 * std::abs(point[axis]);
+            inside = inside && static_cast<double>(box.lower[axis]) - room <= point[axis] &&
+                     point[axis] <= static_cast<double>(box.upper[axis]) + room;
+        }
+        return inside;
+    }
+
+    const BoxTree& tree_;
+    std::span<const glm::vec3> corners_;
+    double padding_;
+    std::size_t seen_ = 0;             // places of the list, in all leaves so far
+    std::vector<std::int32_t> listed_; // how often each triangle is
+    std::vector<Meeting> meetings_;
+    std::vector<std::pair<std::int32_t, std::int32_t>> leaves_; // triangle and leaf; of splits
+    TreeFindings findings_;
+};
+
+} // namespace
+
+TreeFindings find_faults(const BoxTree& tree, std::span<const glm::vec3> corners, double padding) {
+    return TreeInspection(tree, corners, padding).inspect();
+}
+
+namespace {
+
+using Faults = std::vector<std::string>;
 
 std::string at_node(std::size_t node, const std::string& fault) {
     return "Node " + std::to_string(node) + " " + fault;
 }
 
-bool holds(const Box& outer, const Box& inner) { // false where a bound is not a number
-    bool all = true;
-    for (int axis = 0; axis < 3; ++axis) {
-        all =
-            all && outer.lower[axis] <= inner.lower[axis] && inner.upper[axis] <= outer.upper[axis];
-    }
-    return all;
-}
-
-Faults faults_of_links(const Bvh& bvh) {
-    Faults faults;
-    std::vector<int> arrivals(bvh.nodes.size(), 0);
-    arrivals[0] = 1; // at the root, from outside
-    for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
-        const BvhNode& node = bvh.nodes[i];
-        if (is_leaf(node)) {
-            continue;
-        }
-        if (node.count < 0 || node.first <= static_cast<std::int64_t>(i) ||
-            static_cast<std::size_t>(node.first) + 1 >= bvh.nodes.size()) {
-            faults.push_back(at_node(i, "has children that do not stand behind it."));
-            continue;
-        }
-        ++arrivals[static_cast<std::size_t>(node.first)];
-        ++arrivals[static_cast<std::size_t>(node.first) + 1];
-    }
-    for (std::size_t i = 0; i < arrivals.size(); ++i) {
-        if (arrivals[i] != 1) {
-            faults.push_back(
-                at_node(i, "is reached " + std::to_string(arrivals[i]) + " times, not once."));
-        }
-    }
-    return faults;
-}
-
-// What the two trees have in common: nodes in one list (the children of all, where there are four a
-// node), and the triangles of those that are leaves.
-struct Leaves {
-    std::span<const BvhNode> nodes;
-    std::span<const std::int32_t> order;
-    int leaf_triangles;
-    double padding;
-    std::string (*at)(std::size_t place, const std::string& fault);
-};
-
-Faults faults_of_leaves(const Leaves& leaves, std::size_t triangles) {
-    Faults faults;
-    std::vector<int> listed(triangles, 0);
-    for (std::size_t i = 0; i < leaves.nodes.size(); ++i) {
-        const BvhNode& node = leaves.nodes[i];
-        if (!is_leaf(node)) {
-            continue;
-        }
-        if (node.count > leaves.leaf_triangles) {
-            faults.push_back(leaves.at(i, "is a leaf of more than " +
-                                              std::to_string(leaves.leaf_triangles) +
-                                              " triangles."));
-        }
-        const std::int64_t end = std::int64_t{node.first} + node.count;
-        if (node.first < 0 || end > static_cast<std::int64_t>(leaves.order.size())) {
-            faults.push_back(leaves.at(i, "has triangles outside the order."));
-            continue;
-        }
-        std::int64_t last = -1;
-        for (auto place = static_cast<std::size_t>(node.first);
-             place < static_cast<std::size_t>(end); ++place) {
-            const std::int64_t triangle = leaves.order[place];
-            if (triangle <= last || triangle >= static_cast<std::int64_t>(triangles)) {
-                faults.push_back(leaves.at(i, "lists its triangles out of order or out of range."));
-                break;
-            }
-            last = triangle;
-            ++listed[static_cast<std::size_t>(triangle)];
-        }
-    }
-    for (std::size_t i = 0; i < triangles; ++i) {
-        if (listed[i] != 1) {
-            faults.push_back("Triangle " + std::to_string(i) + " is listed " +
-                             std::to_string(listed[i]) + " times, not once.");
-        }
-    }
-    return faults;
-}
-
-// Only where faults_of_leaves has none, so that all places are known to be inside.
-Faults faults_of_leaf_boxes(const Leaves& leaves, std::span<const glm::vec3> corners) {
-    Faults faults;
-    for (std::size_t i = 0; i < leaves.nodes.size(); ++i) {
-        const BvhNode& node = leaves.nodes[i];
-        const auto first = static_cast<std::size_t>(node.first);
-        for (std::size_t place = first; place < first + static_cast<std::size_t>(node.count);
-             ++place) {
-            const auto triangle = static_cast<std::size_t>(leaves.order[place]);
-            const Box padded = pad(bounds_of(corners.subspan(3 * triangle, 3)), leaves.padding);
-            if (!holds(node.box, padded)) {
-                faults.push_back(
-                    leaves.at(i, "does not hold triangle " + std::to_string(triangle) + "."));
-            }
-        }
-    }
-    return faults;
-}
-
-Faults faults_of_inner_boxes(const Bvh& bvh) {
-    Faults faults;
-    for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
-        const BvhNode& node = bvh.nodes[i];
-        const auto first = static_cast<std::size_t>(node.first);
-        if (!is_leaf(node) &&
-            !(holds(node.box, bvh.nodes[first].box) && holds(node.box, bvh.nodes[first + 1].box))) {
-            faults.push_back(at_node(i, "does not hold the boxes of its children."));
-        }
-    }
-    return faults;
-}
-
 std::string at_child(std::size_t place, const std::string& fault) {
     return "Child " + std::to_string(place % bvh4_width) + " of node " +
            std::to_string(place / bvh4_width) + " " + fault;
+}
+
+// What our builders promise of links beside what find_faults has.
+
+Faults faults_of_links(const Bvh& bvh) {
+    Faults faults;
+    for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+        const BvhNode& node = bvh.nodes[i];
+        if (!is_leaf(node) && (node.count < 0 || node.first <= static_cast<std::int64_t>(i) ||
+                               static_cast<std::size_t>(node.first) + 1 >= bvh.nodes.size())) {
+            faults.push_back(at_node(i, "has children that do not stand behind it."));
+        }
+    }
+    return faults;
 }
 
 bool is_empty_place(const BvhNode& child) {
@@ -183,60 +403,61 @@ Faults faults_of_links(const Bvh4& bvh) {
     return faults;
 }
 
-Faults faults_of_inner_boxes(const Bvh4& bvh) {
+// And of leaves, where find_faults has found nothing.
+Faults faults_of_leaves(const BoxTree& tree, int leaf_triangles) {
     Faults faults;
-    for (std::size_t i = 1; i < bvh.parents.size(); ++i) {
-        const auto own = static_cast<std::size_t>(bvh.parents[i]);
-        for (std::size_t place = bvh4_width * i; place < bvh4_width * (i + 1); ++place) {
-            const BvhNode& child = bvh.children[place];
-            if (!is_empty_place(child) && !holds(bvh.children[own].box, child.box)) {
-                faults.push_back(at_child(own, "does not hold the boxes of its children."));
-                break;
-            }
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const BvhNode& node = tree.nodes[i];
+        if (!is_leaf(tree, i)) {
+            continue;
+        }
+        if (node.count > leaf_triangles) {
+            faults.push_back(at_node(i, "is a leaf of more than " + std::to_string(leaf_triangles) +
+                                            " triangles."));
+        }
+        const auto own = std::span(tree.order).subspan(place_of(node.first), place_of(node.count));
+        if (!std::ranges::is_sorted(own)) {
+            faults.push_back(at_node(i, "lists its triangles out of order."));
         }
     }
     return faults;
 }
 
-// The checks of either tree, one after the other, as far as they make sense.
 template <class Tree>
-Faults faults_of(const Tree& tree, const Leaves& leaves, std::span<const glm::vec3> corners) {
+Faults faults_of(const Tree& tree, bool is_empty, std::span<const glm::vec3> corners) {
     const std::size_t triangles = corners.size() / 3;
-    if (leaves.order.size() != triangles || leaves.nodes.empty() != (triangles == 0)) {
+    if (tree.order.size() != triangles || is_empty != (triangles == 0)) {
         return {"A tree has each triangle once in its order, and a root unless there is none."};
     }
     if (triangles == 0) {
         return {};
     }
-    if (!(leaves.padding >= padding_for(usual_reach(bounds_of(corners), 0.0)))) {
+    if (!(tree.padding >= padding_for(usual_reach(bounds_of(corners), 0.0)))) {
         return {"The padding is less than rays from around the scene need."};
     }
     Faults faults = faults_of_links(tree);
-    if (faults.empty()) {
-        faults = faults_of_leaves(leaves, triangles);
+    if (!faults.empty()) {
+        return faults;
     }
-    if (faults.empty()) {
-        faults = faults_of_inner_boxes(tree);
-        const Faults more = faults_of_leaf_boxes(leaves, corners);
-        faults.insert(faults.end(), more.begin(), more.end());
-    }
-    faults.resize(std::min(faults.size(), most_faults));
-    return faults;
+    const BoxTree boxes = box_tree_of(tree);
+    const TreeFindings found = find_faults(boxes, corners, tree.padding);
+    faults = sentences_of(found.faults);
+    const Faults tight = sentences_of(found.remarks);
+    faults.insert(faults.end(), tight.begin(), tight.end());
+    return faults.empty() ? faults_of_leaves(boxes, tree.leaf_triangles) : faults;
 }
 
 } // namespace
 
 std::vector<std::string> check_bvh(const Bvh& bvh, std::span<const glm::vec3> corners) {
-    return faults_of(bvh, {bvh.nodes, bvh.order, bvh.leaf_triangles, bvh.padding, at_node},
-                     corners);
+    return faults_of(bvh, bvh.nodes.empty(), corners);
 }
 
 std::vector<std::string> check_bvh4(const Bvh4& bvh, std::span<const glm::vec3> corners) {
     if (bvh.children.size() != bvh4_width * bvh.parents.size()) {
         return {"A tree has four places for children a node."};
     }
-    return faults_of(bvh, {bvh.children, bvh.order, bvh.leaf_triangles, bvh.padding, at_child},
-                     corners);
+    return faults_of(bvh, bvh.parents.empty(), corners);
 }
 
 } // namespace raysteps

@@ -3,6 +3,7 @@
 #include "basics/timed.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/options.h"
+#include "structure/tree_file.h"
 
 #include <string>
 
@@ -41,10 +42,16 @@ const std::vector<OptionRow<BvhOptions>>& rows() {
 
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const BvhOptions chosen = bvh_options_of(request);
-    const auto [bvh, seconds] = timed([&] { return build_bvh(corners, chosen); });
+    const std::string file = asked_tree(request);
+    const auto [bvh, seconds] = timed([&] {
+        return file.empty() ? build_bvh(corners, chosen)
+                            : tree_from_file<BoxTree>(file, corners, [&](const BoxTree& tree) {
+                                  return bvh_of(tree, corners.size() / 3);
+                              });
+    });
     BuiltStructure built;
     built.packed = pack(bvh, corners);
-    built.facts = facts_of(measure_bvh(bvh, chosen), bvh.order.size(), built.packed, seconds);
+    built.facts = facts_of(measure_bvh(bvh, chosen), corners.size() / 3, built.packed, seconds);
     return built;
 }
 
@@ -57,12 +64,14 @@ BvhOptions bvh_options_of(const BuildRequest& request, const BvhOptions& default
 }
 
 std::vector<BuildOption> bvh_build_options(const BvhOptions& defaults) {
-    return options_of(rows(), defaults);
+    std::vector<BuildOption> options = options_of(rows(), defaults);
+    options.push_back(tree_option);
+    return options;
 }
 
 std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t triangles,
                            const PackedStructure& packed, double seconds) {
-    const auto references = static_cast<double>(triangles); // each triangle is in one leaf
+    const auto references = static_cast<double>(measures.references);
     const auto leaves = static_cast<double>(measures.leaves);
     return {{"build_seconds", seconds},
             {"memory_bytes", static_cast<double>(bytes_of(packed))},
@@ -71,8 +80,9 @@ std::vector<Fact> facts_of(const BvhMeasures& measures, std::size_t triangles,
             {"leaves", leaves},
             {"depth", static_cast<double>(measures.depth)},
             {"references", references},
-            {"references_per_triangle", triangles == 0 ? 0.0 : 1.0},
-            {"references_per_leaf", triangles == 0 ? 0.0 : references / leaves},
+            {"references_per_triangle",
+             triangles == 0 ? 0.0 : references / static_cast<double>(triangles)},
+            {"references_per_leaf", leaves == 0.0 ? 0.0 : references / leaves},
             {"longest_leaf", static_cast<double>(measures.longest_leaf)},
             {"expected_cost", measures.cost}};
 }

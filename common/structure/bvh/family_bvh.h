@@ -11,6 +11,9 @@ StructureFamily family_bvh();
 // matter. Throws InputError where a value makes no sense.
 BvhOptions bvh_options_of(const BuildRequest& request, const BvhOptions& defaults = {});
 
+// The same of the family whose walks go through nodes of four children.
+BvhOptions bvh4_options_of(const BuildRequest& request);
+
 // The options of the builder, for a family that has defaults of its own.
 std::vector<BuildOption> bvh_build_options(const BvhOptions& defaults);
 

@@ -2,6 +2,7 @@
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/bvh4.h"
 #include "structure/bvh/family_bvh.h"
+#include "structure/tree_file.h"
 
 namespace raysteps {
 
@@ -16,8 +17,24 @@ BvhOptions for_four_boxes() {
     return options;
 }
 
+// Of two children a node, as collapse makes nodes of four: of its boxes, some are left out.
+BuiltStructure read(const std::string& file, std::span<const glm::vec3> corners,
+                    const BvhOptions& options) {
+    const auto [bvh, seconds] = timed([&] {
+        return tree_from_file<BoxTree>(
+            file, corners, [&](const BoxTree& tree) { return bvh4_of(tree, corners.size() / 3); });
+    });
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh4(bvh, options), corners.size() / 3, built.packed, seconds);
+    return built;
+}
+
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
-    const BvhOptions options = bvh_options_of(request, for_four_boxes());
+    const BvhOptions options = bvh4_options_of(request);
+    if (const std::string file = asked_tree(request); !file.empty()) {
+        return read(file, corners, options);
+    }
     const auto [binary, seconds] = timed([&] { return build_bvh(corners, options); });
     const auto [bvh, more_seconds] = timed([&, &binary = binary] { return collapse(binary); });
     BuiltStructure built;
@@ -29,6 +46,10 @@ BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& req
 }
 
 } // namespace
+
+BvhOptions bvh4_options_of(const BuildRequest& request) {
+    return bvh_options_of(request, for_four_boxes());
+}
 
 // Serves structure/bvh/bvh4.glsl: the tree of the family `bvh`, with its options, but up to four
 // children a node.

@@ -1,8 +1,10 @@
 #include "basics/timed.h"
 #include "structure/grid/build_grid.h"
 #include "structure/options.h"
+#include "structure/tree_file.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 namespace raysteps {
@@ -40,7 +42,11 @@ Filling filling_of(const Grid& grid) {
 
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const GridOptions options = grid_options_of(request);
-    auto [grid, seconds] = timed([&] { return build_grid(corners, options); });
+    const std::string file = asked_tree(request);
+    auto [grid, seconds] = timed([&] {
+        return file.empty() ? build_grid(corners, options)
+                            : tree_from_file<Grid>(file, corners, std::identity{});
+    });
     BuiltStructure built;
     built.facts = facts_of(grid, corners.size() / 3, seconds);
     built.packed = pack(std::move(grid));
@@ -79,7 +85,9 @@ std::vector<Fact> facts_of(const Grid& grid, std::size_t triangles, double secon
 
 // Serves structure/grid/grid.glsl and structure/grid/grid_mailbox.glsl.
 StructureFamily family_grid() {
-    return {"grid", options_of(rows()), build};
+    std::vector<BuildOption> options = options_of(rows());
+    options.push_back(tree_option);
+    return {"grid", options, build};
 }
 
 } // namespace raysteps

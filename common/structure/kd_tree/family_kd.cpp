@@ -2,7 +2,9 @@
 #include "structure/kd_tree/build_kd_tree.h"
 #include "structure/kd_tree/kd_tree.h"
 #include "structure/options.h"
+#include "structure/tree_file.h"
 
+#include <functional>
 #include <string>
 
 namespace raysteps {
@@ -33,7 +35,11 @@ const std::vector<OptionRow<KdOptions>>& rows() {
 
 BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const KdOptions options = kd_options_of(request);
-    const auto [tree, seconds] = timed([&] { return build_kd_tree(corners, options); });
+    const std::string file = asked_tree(request);
+    const auto [tree, seconds] = timed([&] {
+        return file.empty() ? build_kd_tree(corners, options)
+                            : tree_from_file<KdTree>(file, corners, std::identity{});
+    });
     BuiltStructure built;
     built.facts = facts_of(tree, options, corners.size() / 3, seconds);
     built.packed = pack(tree);
@@ -70,7 +76,9 @@ std::vector<Fact> facts_of(const KdTree& tree, const KdOptions& options, std::si
 
 // Serves every walk kd_NAME.glsl of shaders/structure.
 StructureFamily family_kd() {
-    return {"kd", options_of(rows()), build};
+    std::vector<BuildOption> options = options_of(rows());
+    options.push_back(tree_option);
+    return {"kd", options, build};
 }
 
 } // namespace raysteps

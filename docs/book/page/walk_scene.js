@@ -62,7 +62,7 @@ function modelOf(walk) {
 }
 
 function rayOf(walk) {
-  const [origin, end] = walk.ray;
+  const [origin, end] = walk.line;
   return polyDataOf([...origin, ...end], [2, 0, 1], []);
 }
 
@@ -92,7 +92,7 @@ function boundsOf(walk) {
 // From the side and a little from above, so that the ray crosses the picture.
 function aimCamera(renderer, walk) {
   const bounds = boundsOf(walk);
-  const [origin, end] = walk.ray;
+  const [origin, end] = walk.line;
   const along = origin.map((value, axis) => value - end[axis]);
   const aside = [along[2] + 0.35 * along[0], 0.45 * Math.hypot(...along),
     -along[0] + 0.35 * along[2]];
@@ -108,8 +108,8 @@ function aimCamera(renderer, walk) {
 
 // The triangles that the last step which hit any has hit, up to that step.
 function lastHit(walk, number) {
-  const steps = walk.steps.slice(0, number + 1).filter((step) => step.hit.length > 0);
-  return steps.length > 0 ? steps[steps.length - 1].hit : [];
+  const steps = walk.steps.slice(0, number + 1).filter((step) => step.hits.length > 0);
+  return steps.length > 0 ? steps[steps.length - 1].hits : [];
 }
 
 // Draws the walk into the element. Returns {show(step), redraw(), turn(x, y), recolor()}: the first draws
@@ -149,11 +149,12 @@ function makeWalkScene(element, walk) {
   function show(number) {
     step = number;
     const seen = walk.steps.slice(0, Math.max(0, step)).map((one) => one.box).filter((box) => box);
-    const { box, tested } = step < 0 ? { box: null, tested: [] } : walk.steps[step];
+    const { box, tested, hits } = step < 0 ? { box: null, tested: [], hits: [] } : walk.steps[step];
+    const missed = tested.filter((triangle) => !hits.includes(triangle));
     shapes.structure.actor.getProperty().setOpacity(step < 0 ? 1 : 0.12);
     shapes.before.show(boxLines(seen));
     shapes.now.show(boxLines(box ? [box] : []));
-    shapes.tested.show(trianglesOf(walk, tested));
+    shapes.tested.show(trianglesOf(walk, missed));
     shapes.hit.show(trianglesOf(walk, lastHit(walk, step)));
     renderer.resetCameraClippingRange();
     recolor();

@@ -9,12 +9,15 @@
 
 namespace raysteps {
 
-// Four numbers as bits; what they are is the checkpoint's own affair.
-using Found = std::array<std::uint32_t, 4>;
+// Numbers as bits. What the first eight are is the checkpoint's own affair; of a shader part, the
+// last four say what was observed (shaders/observer_in_order.glsl).
+using Found = std::array<std::uint32_t, 12>;
 
 // What was asked, and for each step what each of the rays found. Where the rays of a picture are
 // the answer, there are none that were asked: step 1 has origin and t_min, step 2 direction and
-// t_max. A picture lies in a file.
+// t_max. Of a walk, step 1 has what was observed, one after the other: 1 for a visit, 2 for a test,
+// 0 where there is nothing more; the place or triangle; the round; whether the walk has ended by
+// then. Step 2 has the nearest hit after that round, step 3 the place. A picture lies in a file.
 struct Answer {
     std::vector<Ray> rays;
     std::vector<std::vector<Found>> steps;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -25,13 +26,35 @@ Box box_of(const Ray& ray) {
     return {ray.origin, ray.direction};
 }
 
-// From a multiple of 1/64 to another: so sums and products of sides are exact, and an answer does
-// not depend on the order in which a student adds.
-Ray random_box(std::mt19937& numbers) {
+int number_named(const CourseQuestion& question, const std::string& name, int otherwise) {
+    const auto named = question.numbers.find(name);
+    return named == question.numbers.end() ? otherwise : named->second;
+}
+
+// From a multiple of 1/64 to another, times 2^scale: so sums and products of sides are exact, and
+// an answer does not depend on the order in which a student adds.
+Ray random_box(std::mt19937& numbers, int scale) {
     Ray ray{};
     for (int axis = 0; axis < 3; ++axis) {
-        ray.origin[axis] = static_cast<float>(numbers() % 128) / 64.0f - 1.0f;
-        ray.direction[axis] = ray.origin[axis] + static_cast<float>(1 + numbers() % 32) / 64.0f;
+        const float lower = static_cast<float>(numbers() % 128) / 64.0f - 1.0f;
+        const float upper = lower + static_cast<float>(1 + numbers() % 32) / 64.0f;
+        ray.origin[axis] = std::ldexp(lower, scale);
+        ray.direction[axis] = std::ldexp(upper, scale);
+    }
+    return ray;
+}
+
+// Of sides and places of any size, from 2^-10 to 2^10.
+Ray uneven_box(std::mt19937& numbers) {
+    const auto any = [&numbers] {
+        const float part = static_cast<float>(numbers() >> 8U) * 0x1p-24f;
+        return std::ldexp(part, static_cast<int>(numbers() % 21U) - 10);
+    };
+    Ray ray{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const float sign = numbers() % 2U == 0 ? 1.0f : -1.0f;
+        ray.origin[axis] = sign * any();
+        ray.direction[axis] = ray.origin[axis] + any();
     }
     return ray;
 }
@@ -40,7 +63,9 @@ std::vector<Ray> boxes_of(const CourseQuestion& question) {
     std::vector<Ray> boxes = question.rays;
     std::mt19937 numbers(static_cast<std::uint32_t>(question.seed));
     for (int i = 0; i < question.random_rays; ++i) {
-        boxes.push_back(random_box(numbers));
+        boxes.push_back(number_named(question, "uneven", 0) != 0
+                            ? uneven_box(numbers)
+                            : random_box(numbers, number_named(question, "scale", 0)));
     }
     return boxes;
 }
@@ -105,10 +130,16 @@ Found bvh_cut(BvhSplitRule rule, std::span<const Ray> boxes) {
     options.traversal_cost = 1.0; // the known answers are for a node that costs so much
     const std::optional<BvhCut> cut = rule(range, options);
     if (!cut) {
-        return {static_cast<std::uint32_t>(-1), 0, 0, 0};
+        return {static_cast<std::uint32_t>(-1)};
     }
-    return {static_cast<std::uint32_t>(cut->axis), static_cast<std::uint32_t>(cut->lower_count),
-            bits(cut->cost), 0};
+    const auto cost = std::bit_cast<std::uint64_t>(cut->cost);
+    return {static_cast<std::uint32_t>(cut->axis),
+            static_cast<std::uint32_t>(cut->lower_count),
+            bits(cut->cost),
+            std::bit_cast<std::uint32_t>(
+                cut->first_upper_center.value_or(std::numeric_limits<float>::quiet_NaN())),
+            static_cast<std::uint32_t>(cost >> 32U),
+            static_cast<std::uint32_t>(cost)};
 }
 
 Found bvh_median(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
@@ -122,9 +153,11 @@ Found bvh_binned(const CourseQuestion& /*question*/, std::span<const Ray> boxes)
 // Of the last box, in the frame around all of them, along one axis.
 Found half_planes(const CourseQuestion& question, std::span<const Ray> boxes) {
     const Box whole = around(boxes);
-    const HalfFrame frame{whole.lower, whole.upper - whole.lower};
-    const auto named = question.numbers.find("axis");
-    const int axis = named == question.numbers.end() ? 0 : named->second;
+    HalfFrame frame{whole.lower, whole.upper - whole.lower};
+    const int axis = number_named(question, "axis", 0);
+    while (frame.lower[axis] + frame.size[axis] < whole.upper[axis]) { // it is around the boxes
+        frame.size[axis] = std::nextafter(frame.size[axis], std::numeric_limits<float>::infinity());
+    }
     const Box box = box_of(boxes.back());
     const int below = half_below(frame, axis, box.lower[axis]);
     const int above = half_above(frame, axis, box.upper[axis]);
@@ -151,15 +184,9 @@ std::int32_t lowest_box(const Bvh4& bvh, const BvhNode& child) {
     return lowest;
 }
 
-// Of the root of a hierarchy whose leaves have a box each: how many children it has, the lowest box
-// below each of them, two digits a child; and how many nodes there are.
-Found bvh4_root(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
-    std::vector<glm::vec3> corners; // a triangle that spans each box
-    for (const Ray& ray : boxes) {
-        corners.insert(corners.end(), {ray.origin, ray.direction, ray.origin});
-    }
-    const BvhOptions options{.leaf_triangles = 1};
-    const Bvh4 bvh = collapse(build_bvh(corners, options));
+// How many children the root has, the lowest box below each of them, two digits a child; how many
+// nodes there are; and a digest of all of them.
+Found found_of(const Bvh4& bvh) {
     std::uint32_t children = 0;
     std::int32_t lowest = 0;
     for (std::size_t i = 0; i < bvh4_width; ++i) {
@@ -169,21 +196,71 @@ Found bvh4_root(const CourseQuestion& /*question*/, std::span<const Ray> boxes) 
             lowest = 100 * lowest + lowest_box(bvh, child);
         }
     }
+    std::uint32_t digest = 0;
+    for (const BvhNode& child : bvh.children) {
+        digest = 31U * digest + 2U * static_cast<std::uint32_t>(child.first) +
+                 static_cast<std::uint32_t>(child.count);
+    }
     return {children, static_cast<std::uint32_t>(lowest),
-            static_cast<std::uint32_t>(bvh.parents.size()), 0};
+            static_cast<std::uint32_t>(bvh.parents.size()), digest};
+}
+
+// Of a hierarchy whose leaves have a box each.
+Found bvh4_root(const CourseQuestion& /*question*/, std::span<const Ray> boxes) {
+    std::vector<glm::vec3> corners; // a triangle that spans each box
+    for (const Ray& ray : boxes) {
+        corners.insert(corners.end(), {ray.origin, ray.direction, ray.origin});
+    }
+    const BvhOptions options{.leaf_triangles = 1};
+    return found_of(collapse(build_bvh(corners, options)));
+}
+
+// Of a hierarchy over the boxes in their order, without a builder and without padding: each node is
+// cut in the middle, or with `numbers.seed` anywhere.
+Found bvh4_in_order(const CourseQuestion& question, std::span<const Ray> boxes) {
+    struct Part {
+        std::size_t node;
+        std::size_t first;
+        std::size_t count;
+    };
+    const int seed = number_named(question, "seed", 0);
+    std::mt19937 numbers(static_cast<std::uint32_t>(seed));
+    Bvh bvh;
+    bvh.nodes.resize(1);
+    std::vector<Part> parts{{0, 0, boxes.size()}};
+    while (!parts.empty()) {
+        const Part part = parts.back();
+        parts.pop_back();
+        BvhNode node{around(boxes.subspan(part.first, part.count)),
+                     static_cast<std::int32_t>(part.first), 1};
+        if (part.count > 1) {
+            const std::size_t lower = seed == 0 ? part.count / 2 : 1 + numbers() % (part.count - 1);
+            node.first = static_cast<std::int32_t>(bvh.nodes.size());
+            node.count = 0;
+            parts.push_back({bvh.nodes.size(), part.first, lower});
+            parts.push_back({bvh.nodes.size() + 1, part.first + lower, part.count - lower});
+            bvh.nodes.resize(bvh.nodes.size() + 2);
+        }
+        bvh.nodes[part.node] = node;
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        bvh.order.push_back(static_cast<std::int32_t>(i));
+    }
+    return found_of(collapse(bvh));
 }
 
 using AskBuilder = Found (*)(const CourseQuestion&, std::span<const Ray>);
 
 AskBuilder builder_of(const std::string& subject) {
     static const std::map<std::string, AskBuilder> builders{
-        {"grid_cells", grid_cells}, {"kd_plane", kd_plane},   {"bvh_median", bvh_median},
-        {"bvh_binned", bvh_binned}, {"bvh4_root", bvh4_root}, {"half_planes", half_planes}};
+        {"grid_cells", grid_cells},      {"kd_plane", kd_plane},   {"bvh_median", bvh_median},
+        {"bvh_binned", bvh_binned},      {"bvh4_root", bvh4_root}, {"half_planes", half_planes},
+        {"bvh4_in_order", bvh4_in_order}};
     const auto place = builders.find(subject);
     if (place == builders.end()) {
         throw InputError("no builder has the name " + subject +
-                         ". Take grid_cells, kd_plane, bvh_median, bvh_binned, bvh4_root or "
-                         "half_planes.");
+                         ". Take grid_cells, kd_plane, bvh_median, bvh_binned, bvh4_root, "
+                         "bvh4_in_order or half_planes.");
     }
     return place->second;
 }
@@ -196,9 +273,7 @@ Answer answer_by_builders(const CourseQuestion& question) {
     }
     const AskBuilder ask = builder_of(question.subject);
     Answer answer{boxes_of(question), {}};
-    const auto least = question.numbers.find("least");
-    const std::size_t first =
-        least == question.numbers.end() ? 2 : static_cast<std::size_t>(least->second);
+    const auto first = static_cast<std::size_t>(number_named(question, "least", 2));
     for (std::size_t count = first; count <= answer.rays.size(); ++count) {
         answer.steps.push_back({ask(question, std::span(answer.rays).first(count))});
     }

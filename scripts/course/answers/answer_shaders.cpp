@@ -1,8 +1,9 @@
 #include "answer_shaders.h"
 
+#include "random_rays.h"
+
 #include "basics/box.h"
 #include "basics/error.h"
-#include "basics/random_numbers.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
@@ -19,17 +20,19 @@
 #include "structure/padding.h"
 #include "structure/structure.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace raysteps {
 
 namespace {
-
-// Beyond it, a random ray starts nowhere near the scene.
-constexpr float farthest_start = 1.5f;
 
 constexpr int most_bounces = 3;
 
@@ -38,19 +41,26 @@ Scene scene_of(const CourseQuestion& question) {
                       static_cast<float>(question.width) / static_cast<float>(question.height));
 }
 
-// From around the scene's box to a point in it, as an exercise wants them: most meet something.
 std::vector<Ray> rays_of(const CourseQuestion& question, const Scene& scene) {
+    std::vector<Ray> rays = question.rays;
+    const std::vector<Ray> random = random_rays(question, bounds_of(scene.corners));
+    rays.insert(rays.end(), random.begin(), random.end());
+    return rays;
+}
+
+// A structure is made for origins as far away as this, in sizes of the scene: for the farther ones
+// among the rays its padding would swallow the scene.
+constexpr float farthest_built_for = 1024.0f;
+
+std::vector<Ray> built_for(const std::vector<Ray>& rays, const Scene& scene) {
     const Box box = bounds_of(scene.corners);
     const glm::vec3 size = box.upper - box.lower;
-    const float around = farthest_start * std::max({size.x, size.y, size.z});
-    RandomNumbers numbers(question.seed);
-    std::vector<Ray> rays = question.rays;
-    for (int i = 0; i < question.random_rays; ++i) {
-        const glm::vec3 target = box.lower + (0.5f * numbers.in_cube() + 0.5f) * size;
-        const glm::vec3 origin = target + around * numbers.in_cube();
-        rays.push_back({origin, target - origin, 0.0f, std::numeric_limits<float>::max()});
-    }
-    return rays;
+    const glm::vec3 reach(farthest_built_for * std::max({size.x, size.y, size.z}));
+    std::vector<Ray> near;
+    std::copy_if(rays.begin(), rays.end(), std::back_inserter(near), [&](const Ray& ray) {
+        return glm::all(glm::lessThanEqual(glm::abs(ray.origin - box.lower), reach));
+    });
+    return near;
 }
 
 Parts parts_of(const CourseQuestion& question) {
@@ -67,10 +77,18 @@ Found found_in(const glm::uvec4& texel) {
     return {texel.x, texel.y, texel.z, texel.w};
 }
 
-std::vector<Found> founds_in(const Texture& texture, std::size_t count) {
-    const std::vector<glm::uvec4> texels = read_list(texture, count);
+// Each texture has four of the numbers.
+std::vector<Found> founds_in(const std::array<Texture, 3>& textures, std::size_t count) {
     std::vector<Found> found(count);
-    std::transform(texels.begin(), texels.end(), found.begin(), found_in);
+    for (std::size_t first = 0; const Texture& texture : textures) {
+        const std::vector<glm::uvec4> texels = read_list(texture, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (glm::length_t k = 0; k < 4; ++k) {
+                found[i][first + static_cast<std::size_t>(k)] = texels[i][k];
+            }
+        }
+        first += 4;
+    }
     return found;
 }
 
@@ -86,17 +104,9 @@ Image magnified(const Image& image) {
     return large;
 }
 
-Answer answer_checkpoint(const CourseQuestion& question) {
-    const Scene scene = scene_of(question);
-    Answer answer{rays_of(question, scene), {}};
-    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
-    const RayTextures rays = upload_rays(answer.rays);
-    const bool of_packets = has_packets(question.structure);
-    Parts parts =
-        of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
-    parts["checkpoint"] = question.subject;
-    parts["observer"] = "observer/none.glsl";
-    Program program(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts);
+// The scene, its structure, the rays, and the uniforms that stand in the question.
+std::vector<BufferTexture> give(Program& program, const CourseQuestion& question,
+                                const SceneTextures& textures, const RayTextures& rays) {
     program.set("ray_origins", rays.origins)
         .set("ray_directions", rays.directions)
         .set("triangle_count", textures.triangle_count)
@@ -121,11 +131,72 @@ Answer answer_checkpoint(const CourseQuestion& question) {
         empty.emplace_back(std::span(zeros));
         program.set(name, empty.back());
     }
-    const Texture texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
+    return empty;
+}
+
+Program& program_of(const std::string& pass, Parts parts, KeptProgram& kept) {
+    parts.try_emplace("real", "real/float.glsl");
+    std::string text = read_shader(pass, parts).text;
+    if (!kept.program || kept.text != text) {
+        kept.program.reset();
+        kept.program.emplace(pass, parts);
+        kept.text = std::move(text);
+    }
+    return *kept.program;
+}
+
+Answer answer_checkpoint(const CourseQuestion& question, KeptProgram& kept) {
+    const Scene scene = scene_of(question);
+    Answer answer{rays_of(question, scene), {}};
+    const SceneTextures textures =
+        upload(question, scene, reach_of(built_for(answer.rays, scene), scene.corners));
+    const RayTextures rays = upload_rays(answer.rays);
+    const bool of_packets = has_packets(question.structure);
+    Parts parts =
+        of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
+    parts["checkpoint"] = question.subject;
+    parts["observer"] = question.observer;
+    Program& program =
+        program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts, kept);
+    const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
+    const auto texture = [&rays] {
+        return Texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());
+    };
+    const std::array<Texture, 3> found{texture(), texture(), texture()};
     for (int step = 1; step <= question.steps; ++step) {
         program.set("step_number", step);
-        draw(program, {.textures = {texture}});
-        answer.steps.push_back(founds_in(texture, answer.rays.size()));
+        draw(program, {.textures = {found[0], found[1], found[2]}});
+        answer.steps.push_back(founds_in(found, answer.rays.size()));
+    }
+    return answer;
+}
+
+// Of a walk that is recorded: 64 x 64 events, and as many rounds.
+constexpr int recorded_side = 64;
+
+// Each pixel makes the whole walk again, and remembers one event of it.
+Answer answer_walk(const CourseQuestion& question) {
+    const Scene scene = scene_of(question);
+    Answer answer{rays_of(question, scene), {}};
+    if (answer.rays.size() != 1 || has_packets(question.structure)) {
+        throw InputError("a walk is recorded of one ray, and not of packets. Ask so.");
+    }
+    const SceneTextures textures = upload(question, scene, reach_of(answer.rays, scene.corners));
+    const RayTextures rays = upload_rays(answer.rays);
+    Parts parts = parts_of(question);
+    parts["observer"] = "record.glsl";
+    Program program("record_walk.frag", parts);
+    const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
+    program.set("any_will_do", question.subject == "any" ? 1 : 0).set("side", recorded_side);
+    const std::array<Texture, 3> found{
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side),
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side),
+        Texture(TexelFormat::rgba32ui, recorded_side, recorded_side)};
+    draw(program, {.textures = {found[0], found[1], found[2]}});
+    for (const Texture& texture : found) {
+        const std::vector<glm::uvec4> texels = read_integers(texture);
+        answer.steps.emplace_back(texels.size());
+        std::transform(texels.begin(), texels.end(), answer.steps.back().begin(), found_in);
     }
     return answer;
 }
@@ -208,10 +279,12 @@ Answer answer_difference(const CourseQuestion& question) {
 
 } // namespace
 
-Answer answer_by_shaders(const CourseQuestion& question) {
+Answer answer_by_shaders(const CourseQuestion& question, KeptProgram& kept) {
     switch (question.kind) {
     case QuestionKind::checkpoint:
-        return answer_checkpoint(question);
+        return answer_checkpoint(question, kept);
+    case QuestionKind::walk:
+        return answer_walk(question);
     case QuestionKind::rays:
         return answer_rays(question);
     case QuestionKind::picture:

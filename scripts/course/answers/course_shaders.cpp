@@ -7,11 +7,12 @@ using namespace raysteps;
 
 int main(int argc, char** argv) {
     std::unique_ptr<Context> context;
+    KeptProgram kept;
     const auto answer = [&](const CourseQuestion& question) {
         if (!context && question.kind != QuestionKind::difference) {
             context = make_context(ContextKind::osmesa);
         }
-        return answer_by_shaders(question);
+        return answer_by_shaders(question, kept);
     };
     if (argc == 1) {
         answer_jobs(answer);

@@ -14,15 +14,18 @@ namespace {
 using Json = nlohmann::json;
 
 QuestionKind kind_of(const std::string& name) {
-    static const std::map<std::string, QuestionKind> kinds{
-        {"checkpoint", QuestionKind::checkpoint}, {"rays", QuestionKind::rays},
-        {"picture", QuestionKind::picture},       {"difference", QuestionKind::difference},
-        {"builder", QuestionKind::builder},       {"function", QuestionKind::function}};
+    static const std::map<std::string, QuestionKind> kinds{{"checkpoint", QuestionKind::checkpoint},
+                                                           {"walk", QuestionKind::walk},
+                                                           {"rays", QuestionKind::rays},
+                                                           {"picture", QuestionKind::picture},
+                                                           {"difference", QuestionKind::difference},
+                                                           {"builder", QuestionKind::builder},
+                                                           {"function", QuestionKind::function}};
     const auto place = kinds.find(name);
     if (place == kinds.end()) {
         throw InputError("the kind `" + name +
-                         "` is not known. Take checkpoint, rays, picture, difference, builder or "
-                         "function.");
+                         "` is not known. Take checkpoint, walk, rays, picture, difference, "
+                         "builder or function.");
     }
     return place->second;
 }
@@ -54,9 +57,14 @@ CourseQuestion question_of(const Json& json) {
     question.scene = json.value("scene", question.scene);
     question.triangle = json.value("triangle", question.triangle);
     question.structure = json.value("structure", question.structure);
+    question.observer = json.value("observer", question.observer);
     question.options = json.value("options", question.options);
     question.random_rays = json.value("random_rays", question.random_rays);
     question.seed = json.value("seed", question.seed);
+    question.families = json.value("families", question.families);
+    if (question.families.empty()) {
+        throw InputError("the list `families` is empty. Name one, or leave the list out.");
+    }
     question.steps = json.value("steps", question.steps);
     question.width = json.value("width", question.width);
     question.height = json.value("height", question.height);

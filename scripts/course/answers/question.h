@@ -15,6 +15,7 @@ namespace raysteps {
 // Who answers a question.
 enum class QuestionKind {
     checkpoint, // a shader part in the slot <checkpoint> of checkpoint.frag, for each ray and step
+    walk,       // the walk of one ray, launched round by round
     rays,       // the pass that makes the rays of a picture
     picture,    // all passes of a picture
     difference, // two pictures that were made before
@@ -26,16 +27,19 @@ enum class QuestionKind {
 // not named have these values.
 struct CourseQuestion {
     QuestionKind kind = QuestionKind::checkpoint;
-    std::string subject; // the checkpoint's file, `direct` or `interpolated`, the view of
-                         // the picture (`whitted`: with light), or the name of the builder
-                         // or the function
+    std::string subject; // the checkpoint's file, `nearest` or `any` of a walk, `direct` or
+                         // `interpolated`, the view of the picture (`whitted`: with light), or
+                         // the name of the builder or the function
     std::string scene = "tetrahedron";
     std::string triangle = "watertight";
     std::string structure = "every_triangle";
-    std::map<std::string, std::string> options; // of the builder, as --NAME
-    std::vector<Ray> rays;                      // these, and
-    int random_rays = 0;                        // so many at the scene's box, from around it
-    int seed = 1;                               // of those
+    // The part that watches the walk of a checkpoint.
+    std::string observer = "observer_in_order.glsl";
+    std::map<std::string, std::string> options;   // of the builder, as --NAME
+    std::vector<Ray> rays;                        // these, and
+    int random_rays = 0;                          // so many at the scene's box, from around it
+    int seed = 1;                                 // of those
+    std::vector<std::string> families{"bounded"}; // of those, in turn: see random_rays.cpp
     int steps = 1;
     int width = 64;
     int height = 48;

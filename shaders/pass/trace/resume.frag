@@ -33,7 +33,9 @@ void main() {
     uvec4 last_hit = hit_texel_at(last_hits, pixel);
     Walk walk = start_walk(ray);
     if (first_launch) {
-        walk = is_unfinished(last_hit) ? walk : ended_walk(last_hit);
+        if (!is_unfinished(last_hit)) {
+            walk = ended_walk(last_hit);
+        }
     } else {
         walk = unpack_walk(last_hit, texelFetch(last_places, pixel, 0));
         observe_from(texelFetch(last_observations, pixel, 0));

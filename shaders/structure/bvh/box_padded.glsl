@@ -1,7 +1,8 @@
 // Does the ray meet the box at or before t_max? With room for rounding in the test itself: the exit
-// moves out by 2 units in the last place, so that no box is missed which the ray truly meets, were
-// it never padded. A hit is another matter: it lies beside the ray by the triangle test's own
-// rounding, and only a padded box (structure/padding.h) is sure to be around it.
+// moves out by 2 units in the last place. A box that is not padded, which the ray truly meets, is
+// then missed only where the ray is in it for no more than 3 roundings of t, and that is very rare
+// (docs/numerics.md, section 6). A hit is another matter: it lies beside the ray by the triangle
+// test's own rounding, and only a padded box (structure/padding.h) is sure to be around it.
 // Source: Ize, "Robust BVH Ray Traversal", 2013.
 
 const float two_last_places = 2.384185791015625e-7f; // 2^-22

@@ -42,29 +42,31 @@ TEST_CASE("every kind of broken hierarchy is told", "[06][check]") {
         fault_after([](Bvh& bvh) { bvh.nodes[0].first = static_cast<int>(bvh.nodes.size()) - 1; }),
         contains_text("behind it"));
     CHECK_THAT(fault_after([](Bvh& bvh) { bvh.nodes[0].count = -1; }), contains_text("behind it"));
-    CHECK_THAT(fault_after([](Bvh& bvh) { bvh.nodes[0].first = 3; }), contains_text("0 times"));
+    CHECK_THAT(fault_after([](Bvh& bvh) { bvh.nodes[0].first = 3; }),
+               contains_text("is reached from no other"));
     CHECK_THAT(fault_after([](Bvh& bvh) { bvh.nodes.push_back(bvh.nodes.back()); }),
-               contains_text("0 times"));
+               contains_text("is reached from no other"));
     CHECK_THAT(fault_after([](Bvh& bvh) { bvh.leaf_triangles = 1; }), contains_text("more than 1"));
     CHECK_THAT(fault_after([](Bvh& bvh) { some_leaf(bvh).first = 99; }),
-               contains_text("outside the order"));
+               contains_text("of the list"));
     CHECK_THAT(fault_after([](Bvh& bvh) { some_leaf(bvh).first = -1; }),
-               contains_text("outside the order"));
+               contains_text("of the list"));
     CHECK_THAT(fault_after([](Bvh& bvh) { --some_leaf(bvh).count; }),
-               contains_text("listed 0 times"));
+               contains_text("is in no leaf"));
     CHECK_THAT(fault_after([](Bvh& bvh) {
                    const auto first = static_cast<std::size_t>(some_leaf(bvh).first);
                    std::swap(bvh.order[first], bvh.order[first + 1]);
                }),
                contains_text("out of order"));
-    CHECK_THAT(fault_after([](Bvh& bvh) { bvh.order[7] = 100; }), contains_text("out of range"));
+    CHECK_THAT(fault_after([](Bvh& bvh) { bvh.order[7] = 100; }),
+               contains_text("and the scene has 100"));
     CHECK_THAT(fault_after([](Bvh& bvh) {
                    const auto child = static_cast<std::size_t>(bvh.nodes[0].first);
                    bvh.nodes[child].box.upper.x = 1e3f;
                }),
-               contains_text("boxes of its children"));
+               contains_text("does not hold its child"));
     CHECK_THAT(fault_after([](Bvh& bvh) { some_leaf(bvh).box.lower.z = std::nanf(""); }),
-               contains_text("does not hold"));
+               contains_text("nan"));
     CHECK_THAT(fault_after([](Bvh& bvh) {
                    // A box without the padding.
                    BvhNode& leaf = some_leaf(bvh);
@@ -84,5 +86,5 @@ TEST_CASE("a triangle that two leaves share is told", "[06][check]") {
     bvh.order = {0, 1, 2};
     REQUIRE(first_fault(bvh, three).empty());
     bvh.nodes[2] = {box, 1, 2};
-    CHECK(first_fault(bvh, three) == "Triangle 1 is listed 2 times, not once.");
+    CHECK(first_fault(bvh, three) == "Triangle 1 is listed 2 times.");
 }

@@ -160,13 +160,13 @@ TEST_CASE("every kind of broken tree of four is told", "[06][bvh4][check]") {
     });
     told("behind an empty place", [](Bvh4& bvh) { bvh.children[1] = {{}, no_bvh4_node, 0}; });
     told("more than 1", [](Bvh4& bvh) { bvh.leaf_triangles = 1; });
-    told("outside the order", [](Bvh4& bvh) { some_leaf(bvh).first = 99; });
-    told("listed 0 times", [](Bvh4& bvh) { --some_leaf(bvh).count; });
+    told("of the list", [](Bvh4& bvh) { some_leaf(bvh).first = 99; });
+    told("is in no leaf", [](Bvh4& bvh) { --some_leaf(bvh).count; });
     told("out of order", [](Bvh4& bvh) {
         const auto first = static_cast<std::size_t>(some_leaf(bvh).first);
         std::swap(bvh.order[first], bvh.order[first + 1]);
     });
-    told("boxes of its children", [](Bvh4& bvh) { some_inner(bvh).box.upper.x -= 0.25f; });
+    told("does not hold its child", [](Bvh4& bvh) { some_inner(bvh).box.upper.x -= 0.25f; });
     told("does not hold triangle", [](Bvh4& bvh) {
         BvhNode& leaf = some_leaf(bvh);
         const auto shrink = static_cast<float>(bvh.padding);

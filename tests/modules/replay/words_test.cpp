@@ -51,6 +51,8 @@ TEST_CASE("a walk through a grid of two cells is told cell by cell", "[replay][w
     CHECK(deciding_line(across, 0).file == "structure/grid/grid.glsl");
     CHECK(contains_text("first_axis(leaves)").match(deciding_line(across, 0).text));
     CHECK(contains_text("i >= grid_cells[axis]").match(deciding_line(across, 1).text));
+    CHECK(deciding_line(across, 0).exercise.empty());
+    CHECK(deciding_line(across, 1).exercise == "4.4");
 }
 
 TEST_CASE("a grid with a mailbox says what it passed over", "[replay][words]") {

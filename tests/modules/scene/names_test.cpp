@@ -1,8 +1,10 @@
 #include "catch.h"
 #include "scene/load_scene.h"
 #include "scene/ray_file.h"
+#include "support/same_bits.h"
 #include "support/scratch_folder.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace raysteps;
@@ -66,6 +68,9 @@ TEST_CASE("hits in a table name what they hit and samples have no names", "[scen
     CHECK(bytes_of(folder / "hits.csv") ==
           "t,u,v,triangle,name\n1.5,0.25,0.5,2,\"two.obj, object \"\"wedge\"\", face 4\"\n"
           "9,0,0,-1,\n");
+    const std::vector<Hit> again = read_hit_file(folder / "hits.csv");
+    CHECK(std::ranges::equal(again, hits,
+                             [](const Hit& a, const Hit& b) { return same_bits(a, b); }));
     write_hit_file(folder / "hits.csv", hits, load_scene("compact:1", 1.0f));
     CHECK(bytes_of(folder / "hits.csv") == "t,u,v,triangle\n1.5,0.25,0.5,2\n9,0,0,-1\n");
 }

@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "catch.h"
+#include "scene/ray_file.h"
 #include "shown.h"
 #include "support/scratch_folder.h"
 #include "visualizer/json_files.h"
@@ -30,6 +31,23 @@ std::string sentence_of(const std::vector<std::string>& words) {
 }
 
 } // namespace
+
+TEST_CASE("a ray of a file is shown by its number", "[visualizer][request]") {
+    const ScratchFolder folder("view_rays");
+    const std::vector<Ray> rays{{{1, 2, 3}, {0, 0, 1}, 0.0f, 9.0f},
+                                {{4, 5, 6}, {1, 0, 0}, 0.5f, 7.0f}};
+    const std::string file = (folder / "bad.csv").string();
+    write_ray_file(file, rays);
+    CHECK(request_of({"--rays", file}).state.ray->origin == rays[0].origin);
+    const State state = request_of({"--rays", file, "--ray-number", "1"}).state;
+    CHECK(state.ray->origin == rays[1].origin);
+    CHECK(state.ray->t_min == 0.5f);
+    CHECK(!state.pixel);
+    CHECK(state.filter == CellFilter::visited);
+    CHECK_THAT(sentence_of({"--rays", file, "--ray-number", "2"}), contains_text("has 2 rays"));
+    CHECK_THAT(sentence_of({"--ray-number", "1"}), contains_text("Name the file with --rays"));
+    CHECK_THAT(sentence_of({"--rays", file, "--pixel", "1,1"}), contains_text("all but one"));
+}
 
 TEST_CASE("options become a state", "[visualizer][request]") {
     const Request request = request_of(
@@ -71,7 +89,8 @@ TEST_CASE("options that make no sense are named in a sentence", "[visualizer][re
     CHECK_THAT(sentence_of({"--ray", "0,0,0,0,0,0"}), contains_text("--ray"));
     CHECK_THAT(sentence_of({"--ray", "1,2,3"}), contains_text("six numbers"));
     CHECK_THAT(sentence_of({"--ray", "0,0,0,1,0,0,0"}), contains_text("or eight"));
-    CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}), contains_text("both"));
+    CHECK_THAT(sentence_of({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}),
+               contains_text("all but one"));
     CHECK_THAT(sentence_of({"--step", "0"}), contains_text("--step 0"));
     CHECK_THAT(sentence_of({"--levels", "5-2"}), contains_text("--levels 5-2"));
     CHECK_THAT(sentence_of({"--color", "mood"}),

@@ -31,8 +31,9 @@ std::vector<std::string> with(std::vector<std::string> options,
 } // namespace
 
 TEST_CASE("help names every option of every program", "[command]") {
-    const std::vector<std::string> tracing = with(
-        common_options, {"--triangle", "--structure", "--rays", "--hits", "--density", "--split"});
+    const std::vector<std::string> tracing =
+        with(common_options,
+             {"--triangle", "--structure", "--rays", "--hits", "--density", "--split", "--tree"});
     check_help("01_rays", with(common_options, {"--generation"}));
     check_help("02_triangles", with(tracing, {"--view", "--exhibit"}));
     check_help("03_shading", with(tracing, {"--max-bounces"}));
@@ -45,7 +46,20 @@ TEST_CASE("help names every option of every program", "[command]") {
                                                     "--seed", "--rounds"}));
     check_help("09_effects", with(tracing, {"--effects", "--max-bounces", "--faintest", "--samples",
                                             "--explain", "--prove", "--scenes", "--rounds"}));
-    check_help("10_speed", with(common_options, {"--scenes", "--full", "--rounds", "--embree"}));
+    check_help("10_speed",
+               with(common_options, {"--scenes", "--full", "--rounds", "--embree", "--tree"}));
+    check_help("check", {"--tree", "--scene", "--rays", "--judge", "--why", "--export", "--json"});
+}
+
+TEST_CASE("every program says which version it is", "[command]") {
+    const Workplace workplace("version");
+    for (const std::string program : {"01_rays", "07_compare", "hard_cases", "check"}) {
+        const Outcome outcome = workplace.run(program, {"--version"});
+        CAPTURE(program);
+        CHECK(outcome.exit_code == 0);
+        CHECK_THAT(outcome.output, starts_with_text("Raysteps 0.1.0, commit "));
+    }
+    CHECK(workplace.list_files().empty());
 }
 
 TEST_CASE("of an option that is given twice the last counts", "[command]") {

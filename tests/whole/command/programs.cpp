@@ -19,7 +19,8 @@ const std::map<std::string, std::string> programs{
     {"03_shading", PROGRAM_03_SHADING}, {"04_grid", PROGRAM_04_GRID},
     {"05_kd_tree", PROGRAM_05_KD_TREE}, {"06_bvh", PROGRAM_06_BVH},
     {"07_compare", PROGRAM_07_COMPARE}, {"08_accuracy", PROGRAM_08_ACCURACY},
-    {"09_effects", PROGRAM_09_EFFECTS}, {"10_speed", PROGRAM_10_SPEED}};
+    {"09_effects", PROGRAM_09_EFFECTS}, {"10_speed", PROGRAM_10_SPEED},
+    {"hard_cases", PROGRAM_HARD_CASES}, {"check", PROGRAM_CHECK}};
 
 // As one word of a shell's command line.
 std::string in_quotes(const std::string& text) {

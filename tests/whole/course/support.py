@@ -1,5 +1,6 @@
 """What the tests of the coursework share."""
 
+import functools
 import os
 import subprocess
 import sys
@@ -12,12 +13,35 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 # As CTest gives it: the program with its first options, parted by semicolons.
 COURSE = os.environ.get("RAYSTEPS_COURSE", f"{sys.executable};{ROOT}/course").split(";")
+BUILD = Path(COURSE[COURSE.index("--build") + 1]) if "--build" in COURSE else ROOT / "build" / "default"
+
+
+def _why_forbidden():
+    """Why bubblewrap cannot run on this machine; empty where it can."""
+    from course import bubblewrap, errors
+
+    try:
+        bubblewrap.require()
+    except errors.MachineError as error:
+        return str(error)
+    return ""
+
+
+FORBIDDEN = _why_forbidden()
+HOW = ("--without-sandbox",) if FORBIDDEN else ()  # for `grade`, where the sandbox is not what is tested
+
+
+@functools.lru_cache(maxsize=None)
+def _all_exercises():
+    from course import exercises
+
+    return exercises.load()
 
 
 def exercise_of(number):
     from course import exercises
 
-    return exercises.select_one(exercises.load(), number)
+    return exercises.select_one(_all_exercises(), number)
 
 
 def solution_of(number):

@@ -116,7 +116,7 @@ class Trials(CourseTest):
     def test_what_was_handed_in_has_no_companion(self):
         for words in (["check", "2.1"], ["grade", "handed in"]):
             options = command._parser().parse_args([*COURSE[2:], *words])
-            self.assertIsNone(command._engine(options).companions)
+            self.assertIsNone(command._engine(options, exercises.load()).companions)
 
 
 class Archives(CourseTest):
@@ -192,7 +192,11 @@ class Programs(CourseTest):
 
     def test_endless_loops_in_a_shader_end(self):
         state, printed = self.state("2.1", ENDLESS_SHADER)
-        self.assertIn(state, ("failed", "stopped"), printed)
+        self.assertEqual(state, "stopped", printed)
+        line = (self.workbook / CROSS).read_text().split("\n").index("            for (int k = 0; k >= 0; k = k) {")
+        self.assertEqual(printed.split("\n")[1], f"  {CROSS}:{line + 1}: this loop never ends. It was left "
+                                                 "after 50000 rounds.")
+        self.assertNotIn("expected", printed)
 
     def test_a_shader_cannot_include_other_files(self):
         _, printed = self.state("2.1", '#include "/etc/passwd"')
@@ -206,10 +210,39 @@ class Programs(CourseTest):
         self.assertEqual(state, "stopped")
         self.assertIn("it may take 3 s, and 3 s of processors", printed)
 
-    def test_a_builder_that_crashes_is_told(self):
-        state, _ = self.state("6.5", "    if (range.items.size() > 1) {\n        __builtin_trap();\n"
-                                     "    }\n    return {};")
+    def test_a_builder_that_crashes_is_told_with_what_it_was_given(self):
+        state, printed = self.state("6.5", "    if (range.items.size() > 2) {\n        __builtin_trap();\n"
+                                           "    }\n    return {};")
         self.assertEqual(state, "crashed")
+        self.assertRegex(printed.split("\n")[1], r"^  It came where no code is \(SIG(ILL|TRAP)\)")
+        self.assertIn("checkpoint  boxes in a row: crashed here\n  box 1       from (0, 0, 0) to (1, 1, 1)\n",
+                      printed)
+        self.assertIn("  box 3  ", printed)
+        self.assertNotIn("  box 4  ", printed)
+        self.assertIn("replay      ./course check 6.5\n", printed)
+
+    def test_a_function_that_crashes_is_told_with_its_numbers_and_the_replay_crashes_too(self):
+        _, printed = self.state("7.1", "    std::vector<int> list(3);\n"
+                                       "    return {double(list.at(values.size())), 0.0, 0.0};")
+        self.assertIn("It threw an exception that nobody caught: vector::_M_range_check", printed)
+        self.assertIn(": crashed here\n", printed)
+        replay = printed.split("replay")[1].split()
+        self.assertIn("nobody caught", self.course(*replay[1:], expect=1))
+
+    def test_what_ended_it_is_told_in_words(self):
+        ends = (("std::string text(1000, 'x');\n    while (range.items.size()) std::puts(text.c_str());",
+                 "It printed too much (SIGXFSZ)"), ("std::abort();", "It gave up (SIGABRT)"))
+        if "--memory" not in COURSE:  # AddressSanitizer ends it otherwise
+            ends += (("std::vector<double> list(range.items.size() << 40U);",
+                      "It asked for more memory than the 8 GiB that it may have (std::bad_alloc)"),)
+        for code, words in ends:
+            path = self.solve("6.5", f"    {code}\n    return {{}};")
+            text = path.read_text()
+            path.write_text("#include <cstdio>\n#include <cstdlib>\n#include <string>\n" + text)
+            printed = self.course("check", "6.5", expect=1)
+            self.assertIn(words, printed)
+            self.assertIn("outside     lines 1-3 are not the project's", printed)
+            path.write_text(text)
 
     def test_a_builder_that_ends_the_program_has_given_no_answer(self):
         state, _ = self.state("6.5", "    if (range.items.size() > 1) {\n        __builtin_exit(0);\n"

@@ -1,10 +1,14 @@
 """./course view opens the visualizer at the first wrong ray."""
 
+import json
 import subprocess
 import unittest
+from pathlib import Path
 
-from support import COURSE, ROOT, CourseTest
-from course import check, exercises, view
+import jsonschema
+
+from support import COURSE, ROOT, CourseTest, exercise_of, solution_of
+from course import check, engine as engines, exercises, recorded, sandbox, view
 from course.compare import Wrong
 
 WRONG = """            real enters = crossing(ray, axis, up ? last : 0);
@@ -61,6 +65,45 @@ class Words(unittest.TestCase):
             self.assertTrue((ROOT / "chapters" / chapter / "exercises" / name).is_file(), name)
 
 
+SCHEMA = json.loads((ROOT / "visualizer" / "walk.schema.json").read_text())
+BUILD = Path(COURSE[COURSE.index("--build") + 1]) if "--build" in COURSE else engines.BUILD
+
+
+class RecordedSteps(CourseTest):
+    """A student's walk, as the GPU makes it in launches of one round."""
+
+    def walk(self, number, old, new, checkpoint_name):
+        self.course("start")
+        self.solve(number, solution_of(number).replace(old, new))
+        exercise = exercise_of(number)
+        checkpoint = next(c for c in exercise.checkpoints if c.name == checkpoint_name)
+        engine = engines.Engine(build=BUILD, limits=sandbox.Limits(memory_bytes=0))
+        return recorded.student_walk(engine, exercise, checkpoint, checkpoint.question["rays"][0],
+                                     self.workbook, "scene")
+
+    def test_a_walk_is_a_file_that_the_schema_knows(self):
+        walk = self.walk("2.6", "is_nearer(hit, walk.nearest)", "is_hit(hit)", "nearest hit")
+        jsonschema.validate(walk, SCHEMA)
+        self.assertEqual([step["place"] for step in walk["steps"]], list(range(12)))
+        self.assertEqual([step["round"] for step in walk["steps"]], list(range(1, 13)))
+        self.assertTrue(walk["ended"])
+
+    def test_a_walk_that_is_right_is_no_other_walk(self):
+        self.assertIsNone(self.walk("2.6", "", "", "nearest hit"))
+
+    def test_places_tests_and_hits_are_those_of_the_student(self):
+        walk = self.walk("6.7", "tested.last ? no_bvh_triangle : walk.place.y + 1", "no_bvh_triangle",
+                         "nearest hit")
+        jsonschema.validate(walk, SCHEMA)
+        self.assertEqual(walk["steps"][0]["place"], 0)
+        self.assertEqual(walk["structure"], "bvh_skip:leaf-triangles=2")
+        self.assertTrue(all(len(step["tested"]) <= 1 for step in walk["steps"]))
+
+    def test_a_walk_without_an_end_is_cut(self):
+        walk = self.walk("6.7", "walk.place.x + 1 : node.skip", "walk.place.x : node.skip", "nearest hit")
+        self.assertFalse(walk["ended"])
+
+
 class View(CourseTest):
     def view(self, *arguments):
         """What it printed; not tested where the visualizer was built without VTK."""
@@ -77,9 +120,26 @@ class View(CourseTest):
         self.assertIn("view        ./course view 4.1", self.course("check", "4.1", expect=1))
         picture = self.folder / "wrong.png"
         printed = self.view("4.1", "--screenshot", str(picture))
-        self.assertIn("empty_grid.obj --resolution 4 --structure grid --ray=-1,0.5,0.5,1,0,0,0,3.4",
-                      printed)
+        self.assertIn("empty_grid.obj --resolution 4 --structure grid --steps build/course/walks/"
+                      "exercise_4_1.json", printed)
+        self.assertIn("First stands your walk", printed)
         self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+
+    def test_a_walk_that_is_written_can_be_read_again(self):
+        program = BUILD / "visualizer" / "visualizer"
+        if not program.exists():
+            self.skipTest("the visualizer is not built")
+        file = self.folder / "walk.json"
+        written = subprocess.run([program, "soup:60", "--structure", "bvh_skip", "--ray=0,0,9,0,0,-1",
+                                  "--screenshot", self.folder / "a.png", "--export", file],
+                                 capture_output=True, text=True, check=False)
+        if written.returncode == 3:
+            self.skipTest(written.stderr)
+        self.assertEqual(written.returncode, 0, written.stderr)
+        jsonschema.validate(json.loads(file.read_text()), SCHEMA)
+        read = subprocess.run([program, "--steps", file, "--screenshot", self.folder / "b.png"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(read.returncode, 0, read.stderr)
 
     def test_a_ray_of_ones_own_needs_no_workbook(self):
         picture = self.folder / "own.png"

@@ -30,6 +30,7 @@ RUNS = {
     "effects": ("09_effects", SMALL),
     "proof": ("09_effects", ["--prove", "--scenes", "compact:4,glass_box", "--rounds", "1", "--size", "16"]),
     "climb": ("10_speed", [*SMALL, "--rounds", "1"]),
+    "check": ("check", ["--scene", "compact:4", "--tree", "FOLDER/own.rstree", "--rays", "FOLDER/rays.csv"]),
     "hard_cases": ("hard_cases", ["--case", "T1", "--rays", "100", "--by", "cpp"]),
 }
 
@@ -66,6 +67,15 @@ def complaints(file, schema):
             for one in jsonschema.Draft202012Validator(schema).iter_errors(file)]
 
 
+def head_of_tree(folder, structure):
+    """The head of the tree file that check writes of that structure."""
+    path = folder / f"{structure}.rstree"
+    subprocess.run([CHAPTERS / "check" / "check", "--scene", "compact:4", "--structure", structure, "--export", path],
+                   capture_output=True, check=True, timeout=120)
+    data = path.read_bytes()
+    return json.loads(data[24:24 + int.from_bytes(data[16:24], "little")])
+
+
 def nodes(tree, path=()):
     """Every object in it, with its place."""
     if isinstance(tree, dict):
@@ -87,10 +97,16 @@ class FilesTest(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="raysteps_test_figures_")
         cls.addClassCleanup(cls.folder.cleanup)
         cls.files = {}
+        cls.heads = {}
+        for structure in ("bvh_ordered", "kd_ropes", "grid", "bvh4"):
+            cls.heads[structure] = head_of_tree(Path(cls.folder.name), structure)
+        (Path(cls.folder.name) / "own.rstree").write_bytes((Path(cls.folder.name) / "bvh_ordered.rstree").read_bytes())
+        (Path(cls.folder.name) / "rays.csv").write_text(
+            "origin_x,origin_y,origin_z,direction_x,direction_y,direction_z,t_min,t_max\n0,0,9,0,0,-1,0,inf\n")
         for name, (program, options) in RUNS.items():
             path = Path(cls.folder.name) / f"{name}.json"
             run = subprocess.run(
-                [CHAPTERS / program / program, *options, "--out", cls.folder.name, "--json", path],
+                [CHAPTERS / program / program, *(word.replace("FOLDER", cls.folder.name) for word in options), "--out", cls.folder.name, "--json", path],
                 capture_output=True, text=True, timeout=120, check=False)
             if run.returncode != 0:
                 raise AssertionError(f"{program} {options}: {run.stderr}")
@@ -132,6 +148,16 @@ class FilesTest(unittest.TestCase):
         hashes = {scene["hash"] for file in self.files.values() for scene in file["head"]["scenes"]
                   if scene["scene"] == "compact:4"}
         self.assertEqual(len(hashes), 1)
+
+    def test_the_head_of_every_tree_file_is_what_its_schema_says(self):
+        schema = json.loads((ROOT / "docs" / "tree_file.schema.json").read_text())
+        for structure, head in self.heads.items():
+            with self.subTest(structure):
+                self.assertEqual(complaints(head, schema), [])
+                lacking = copy.deepcopy(head)
+                del lacking["arrays"]["order"]
+                self.assertNotEqual(complaints(lacking, schema), [])
+                self.assertNotEqual(complaints({**head, "surprise": 1}, schema), [])
 
     def test_two_files_tell_the_same_of_the_same(self):
         walks = {"walks of 06": self.files["walks of 06"]["scenes"][0],

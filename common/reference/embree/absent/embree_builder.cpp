@@ -19,4 +19,8 @@ EmbreeTree EmbreeBuilder::build() {
     return {};
 }
 
+EmbreeNodes EmbreeBuilder::nodes() const {
+    return {};
+}
+
 } // namespace raysteps

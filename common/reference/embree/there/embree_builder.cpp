@@ -14,10 +14,20 @@ struct InnerNode {
     std::array<RTCBounds, 2> boxes;
 };
 
+// Its triangles stand behind it.
 struct Leaf {
     std::size_t count;
-    unsigned first;
 };
+
+// A pointer to a leaf is told from one to an inner node by its lowest bit.
+void* marked(Leaf* leaf) {
+    return reinterpret_cast<char*>(leaf) + 1;
+}
+
+const Leaf* leaf_of(const void* node) {
+    const bool leaf = (reinterpret_cast<std::uintptr_t>(node) & 1U) != 0;
+    return leaf ? reinterpret_cast<const Leaf*>(static_cast<const char*>(node) - 1) : nullptr;
+}
 
 // What Embree calls for each part of the tree; `tree` is the EmbreeTree.
 
@@ -42,9 +52,14 @@ void* make_leaf(RTCThreadLocalAllocator memory, const RTCBuildPrimitive* triangl
                 std::size_t count, void* tree) {
     ++static_cast<EmbreeTree*>(tree)->leaves;
     static_cast<EmbreeTree*>(tree)->triangles += count;
-    auto* const leaf = static_cast<Leaf*>(rtcThreadLocalAlloc(memory, sizeof(Leaf), alignof(Leaf)));
-    *leaf = {count, triangles[0].primID};
-    return leaf;
+    auto* const leaf = static_cast<Leaf*>(
+        rtcThreadLocalAlloc(memory, sizeof(Leaf) + count * sizeof(unsigned), alignof(Leaf)));
+    leaf->count = count;
+    auto* const own = reinterpret_cast<unsigned*>(leaf + 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        own[i] = triangles[i].primID;
+    }
+    return marked(leaf);
 }
 
 } // namespace
@@ -55,6 +70,7 @@ struct EmbreeBuilder::Inside {
     std::vector<RTCBuildPrimitive> prepared;
     RTCDevice device = nullptr;
     RTCBVH tree = nullptr;
+    void* root = nullptr;
 };
 
 EmbreeBuilder::EmbreeBuilder(std::span<const Box> boxes, const EmbreeTreeOptions& options)
@@ -115,11 +131,43 @@ EmbreeTree EmbreeBuilder::build() {
     arguments.setNodeBounds = set_boxes;
     arguments.createLeaf = make_leaf;
     arguments.userPtr = &tree;
-    if (rtcBuildBVH(&arguments) == nullptr) {
+    inside_->root = rtcBuildBVH(&arguments);
+    if (inside_->root == nullptr) {
         throw MachineError("Embree built no tree: its error has the number " +
                            std::to_string(rtcGetDeviceError(inside_->device)) + ".");
     }
     return tree;
+}
+
+EmbreeNodes EmbreeBuilder::nodes() const {
+    EmbreeNodes read;
+    std::vector<const void*> places{inside_->root}; // of the nodes, which are read in this order
+    read.nodes.emplace_back();
+    for (std::size_t i = 0; i < places.size() && places[i] != nullptr; ++i) {
+        if (const Leaf* const leaf = leaf_of(places[i])) {
+            read.nodes[i].first = static_cast<std::int32_t>(read.triangles.size());
+            read.nodes[i].count = static_cast<std::int32_t>(leaf->count);
+            const auto* const own = reinterpret_cast<const unsigned*>(leaf + 1);
+            read.triangles.insert(read.triangles.end(), own, own + leaf->count);
+            continue;
+        }
+        const auto* const inner = static_cast<const InnerNode*>(places[i]);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const RTCBounds& bounds = inner->boxes[side];
+            EmbreeNode child;
+            child.box = {{bounds.lower_x, bounds.lower_y, bounds.lower_z},
+                         {bounds.upper_x, bounds.upper_y, bounds.upper_z}};
+            read.nodes[i].children[side] = static_cast<std::int32_t>(places.size());
+            places.push_back(inner->children[side]);
+            read.nodes.push_back(child);
+        }
+    }
+    Box& root = read.nodes.front().box;
+    for (const RTCBuildPrimitive& triangle : inside_->triangles) {
+        root = merge(root, glm::vec3(triangle.lower_x, triangle.lower_y, triangle.lower_z));
+        root = merge(root, glm::vec3(triangle.upper_x, triangle.upper_y, triangle.upper_z));
+    }
+    return read;
 }
 
 } // namespace raysteps

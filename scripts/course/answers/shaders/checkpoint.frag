@@ -1,5 +1,6 @@
 #version 410 core
-// One checkpoint of an exercise, for one ray a pixel: what it finds is four numbers, as bits.
+// One checkpoint of an exercise, for one ray a pixel: what it finds is numbers, as bits. Four are
+// what checkpoint() returns, four more it may put in `also`, and the others say what was observed.
 #include <real>
 #include "core/ray.glsl"
 #include "core/hit.glsl"
@@ -19,18 +20,15 @@
 #include "light/lambert.glsl"
 #include "light/shadow.glsl"
 #include "light/mirror.glsl"
+#include "probes.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
 uniform int step_number; // of checkpoints that look at a walk step by step; counted from 1
 
-uint bits(real value) {
-    return floatBitsToUint(float(value));
-}
+uniform int launch_rounds = 1; // of each launch of a walk, as if the platform cut it there
 
-uvec4 bits_of_point(real3 point, int number) {
-    return uvec4(bits(point.x), bits(point.y), bits(point.z), uint(number));
-}
+uvec4 also = uvec4(0u);
 
 // Of a miss, t, u and v mean nothing.
 uvec4 bits_of_hit(Hit hit) {
@@ -40,21 +38,25 @@ uvec4 bits_of_hit(Hit hit) {
     return uvec4(bits(hit.t), bits(hit.u), bits(hit.v), uint(hit.triangle));
 }
 
-// The walk after so many rounds; a launch of each round by itself, as if the platform cut it.
-Walk walk_after(Ray ray, int rounds) {
+// The walk after so many launches.
+Walk walk_after(Ray ray, int launches) {
     Walk walk = start_walk(ray);
-    for (int round = 0; round < rounds && !walk.ended; ++round) {
-        walk = go_on(walk, ray, -real(farthest), 1);
+    for (int launch = 0; launch < launches && !walk.ended; ++launch) {
+        walk = go_on(walk, ray, -real(farthest), launch_rounds);
     }
     return walk;
 }
 
 #include <checkpoint>
 
-out uvec4 answer;
+layout(location = 0) precise out uvec4 answer;
+layout(location = 1) precise out uvec4 more;
+layout(location = 2) precise out uvec4 observed;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
     answer = checkpoint(ray, step_number);
+    more = also;
+    observed = observations();
 }

@@ -10,17 +10,24 @@
 #include "cutout/none.glsl"
 #include <observer>
 #include <packet>
+#include "probes.glsl"
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
 uniform int step_number;
 
+uvec4 also = uvec4(0u);
+
 #include <checkpoint>
 
-out uvec4 answer;
+layout(location = 0) out uvec4 answer;
+layout(location = 1) out uvec4 more;
+layout(location = 2) out uvec4 observed;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
     answer = checkpoint(ray, step_number);
+    more = also;
+    observed = observations();
 }

@@ -1,0 +1,1 @@
+"""What the playground (docs/playground) is made of."""

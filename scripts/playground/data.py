@@ -1,0 +1,97 @@
+"""The data of the playground: the shaders as one script, and scenes as one script each.
+
+A page that is opened from a disk may load scripts, and nothing else. So what it needs is text in a script."""
+
+import base64
+import gzip
+import json
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+PAGE = "docs/playground"
+PROGRAM = "scripts/playground/playground_scene"
+SCENES = ("knot:1", "mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
+LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
+ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag")
+ENDINGS = (".glsl", ".frag", ".vert")
+WIDTH = 120  # characters in a line of base64
+
+
+def shader_files(root):
+    """Text by path, as the page's reader knows it: of shaders/ from that folder, the page's own by their names."""
+    folder = root / "shaders"
+    files = {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
+             for path in sorted(folder.rglob("*")) if path.suffix in ENDINGS}
+    return files | {name: (root / PAGE / "engine" / name).read_text(encoding="utf-8") for name in ENGINE_SHADERS}
+
+
+def shaders_script(root):
+    """One line a file, so that a change of one is a change of one line."""
+    lines = ",\n".join(f"{json.dumps(path)}: {json.dumps(text)}" for path, text in shader_files(root).items())
+    return f"// Made by `python3 -B scripts/playground data` of shaders/ and engine/: do not edit.\nRaysteps.play.addFiles({{\n{lines}\n}});\n"
+
+
+def scene_script(name, packed):
+    """`packed` is what the program playground_scene writes."""
+    text = base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
+    lines = "\n".join(text[i:i + WIDTH] for i in range(0, len(text), WIDTH))
+    return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.addScene({json.dumps(name)}, `{lines}`);\n"
+
+
+def packed_scene(script):
+    """The bytes in a script that scene_script has made. Different versions of zlib pack the same bytes differently."""
+    return gzip.decompress(base64.b64decode(script.split("`")[-2]))
+
+
+def scene_file(name):
+    return f"scene_{name.replace(':', '_')}.js"
+
+
+def pack_scene(build, name):
+    """What the program of the build folder writes of a scene."""
+    with tempfile.TemporaryDirectory(prefix="raysteps_playground_") as folder:
+        file = Path(folder) / "scene.bin"
+        subprocess.run([build / PROGRAM, name, file], check=True)
+        return file.read_bytes()
+
+
+def write_data(root, build, folder):
+    """Writes all scripts into the folder. Where a script has the same scene packed already, it stays."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "shaders.js").write_text(shaders_script(root), encoding="utf-8")
+    for name in SCENES:
+        packed = pack_scene(build, name)
+        file = folder / scene_file(name)
+        if not file.exists() or packed_scene(file.read_text()) != packed:
+            file.write_text(scene_script(name, packed))
+
+
+def write_large_scenes(build, folder, say):
+    """The scenes that are too large for the repository, for copy_page. They take some seconds, and are made where they are missing."""
+    if not (build / PROGRAM).exists():
+        say(f"playground: {build / PROGRAM} is missing, so the book offers small scenes only. Build the target playground_scene.")
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in LARGE_SCENES:
+        file = folder / scene_file(name)
+        if not file.exists() or file.stat().st_mtime < (build / PROGRAM).stat().st_mtime:
+            say(f"playground: packing {name}")
+            file.write_text(scene_script(name, pack_scene(build, name)))
+
+
+def copy_page(root, large, to):
+    """The page and all that it needs, with the large scenes that the folder `large` has."""
+    shutil.rmtree(to, ignore_errors=True)
+    shutil.copytree(root / PAGE, to)
+    offers = [f"Raysteps.play.offerScene({json.dumps(name)}, {json.dumps('data/' + scene_file(name))});\n"
+              for name in LARGE_SCENES if (large / scene_file(name)).exists()]
+    if not offers:
+        return
+    for name in LARGE_SCENES:
+        shutil.copyfile(large / scene_file(name), to / "data" / scene_file(name))
+    (to / "data" / "offers.js").write_text("".join(offers))
+    page = to / "index.html"
+    own = '<script defer src="editor.js"></script>'
+    page.write_text(page.read_text().replace(own, f'<script defer src="data/offers.js"></script>\n{own}'))
