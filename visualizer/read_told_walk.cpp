@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 constexpr std::uintmax_t most_bytes = 1U << 28U;
 
-// JSON has no number that is none, and none without an end.
+// JSON has neither NaN nor infinity.
 float number_of(const Json& json) {
     if (!json.is_string()) {
         return json.get<float>();

@@ -33,7 +33,7 @@ Json corners_of(const Box& box) {
     return {drawn_point(box.lower), drawn_point(box.upper)};
 }
 
-// Bit for bit; JSON has no number that is none, and none without an end.
+// Bit for bit; JSON has neither NaN nor infinity.
 Json number(float value) {
     if (std::isfinite(value)) {
         return value;

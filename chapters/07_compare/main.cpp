@@ -2,6 +2,7 @@
 #include "basics/error.h"
 #include "basics/text.h"
 #include "builds.h"
+#include "gpu_cards.h"
 #include "render/show_hits.h"
 #include "run_comparison.h"
 #include "trace/trace_picture.h"
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
     TraceOptions tracing{.structure = "fastest"};
     Comparison comparison;
     bool builds = false;
+    std::filesystem::path gpu_cards;
     add_picture_options(options, picture);
     options.value("--structure", "",
                   "only these, between commas; each may have options of its builder for itself, as "
@@ -88,9 +90,17 @@ int main(int argc, char** argv) {
         "--against", comparison.against,
         "the --json file of an earlier run to compare with: exit code 1 where a walk "
         "is slower than then beyond doubt");
+    options.input_file("--gpu-cards", gpu_cards,
+                       "only the table of the files in this folder that readers of the playground "
+                       "saved under Your GPU");
     options.excludes("--against", {"--rays", "--window", "--builds"});
+    options.excludes("--gpu-cards", {"--rays", "--window", "--builds", "--against", "--structure"});
     options.excludes("--builds", {"--structure"});
     return options.run(argc, argv, [&] {
+        if (!gpu_cards.empty()) {
+            print_gpu_cards(gpu_cards);
+            return;
+        }
         if (options.given("--structure") && (picture.window || !tracing.rays.empty())) {
             take_only_structure(comparison.structures, tracing);
         }

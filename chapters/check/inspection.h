@@ -3,7 +3,7 @@
 #include "program/output.h"
 #include "scene/scene.h"
 #include "structure/faults.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <optional>
 #include <string>

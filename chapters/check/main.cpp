@@ -172,6 +172,23 @@ void run_check(const CheckRequest& request) {
     std::cout << "no fault\n";
 }
 
+// Throws InputError where the request asks for nothing, or for what contradicts itself.
+void refuse_contradictions(const CheckRequest& request) {
+    const bool tree = request.build_values.contains("tree");
+    if (!tree && request.hits.empty() && request.exported.empty()) {
+        throw InputError("name a file with --tree, or hits with --judge, or --export one of "
+                         "our own.");
+    }
+    if (tree && !request.exported.empty()) {
+        throw InputError("--tree and --export: one is read, and the other is written. Leave "
+                         "one out.");
+    }
+    if ((!request.hits.empty() || !request.why.empty()) && request.rays.empty()) {
+        throw InputError("--judge and --why are about the rays of a file. Name it with "
+                         "--rays.");
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -195,20 +212,8 @@ int main(int argc, char** argv) {
     options.output_folder("--out", request.scene.out, "the folder for rays that go wrong");
     options.output_file("--json", request.scene.json, "a file for what was found");
     add_build_options(options, request.build_values);
-    options.check([&] {
-        const bool tree = request.build_values.contains("tree");
-        if (!tree && request.hits.empty() && request.exported.empty()) {
-            throw InputError("name a file with --tree, or hits with --judge, or --export one of "
-                             "our own.");
-        }
-        if (tree && !request.exported.empty()) {
-            throw InputError("--tree and --export: one is read, and the other is written. Leave "
-                             "one out.");
-        }
-        if ((!request.hits.empty() || !request.why.empty()) && request.rays.empty()) {
-            throw InputError("--judge and --why are about the rays of a file. Name it with "
-                             "--rays.");
-        }
+    return options.run(argc, argv, [&] {
+        refuse_contradictions(request);
+        run_check(request);
     });
-    return options.run(argc, argv, [&] { run_check(request); });
 }

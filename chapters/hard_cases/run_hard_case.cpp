@@ -5,7 +5,7 @@
 #include "reference/exact.h"
 #include "structure/padding.h"
 #include "structure/structure.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 #include "tally.h"
 
 #include <algorithm>

@@ -14,6 +14,7 @@
     const area = document.createElement("textarea");
     Object.assign(area, { spellcheck: false, wrap: "off", ariaLabel: label });
     for (const name of ["autocapitalize", "autocomplete", "autocorrect"]) area.setAttribute(name, "off");
+    parent.classList.add("editor");
     parent.append(numbers, area);
     let marked = new Set();
 

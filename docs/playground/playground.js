@@ -3,7 +3,8 @@
 
 (() => {
   const { play } = Raysteps;
-  const kept = "raysteps.playground"; // in localStorage: the choices and all edited texts
+  // In localStorage: the choices and all edited texts. What a reader does to those of a link is kept beside the reader's own.
+  const kept = `raysteps.playground${location.hash.length > 1 ? ".link" : ""}`;
   const restOfKeys = 400; // milliseconds without a key before a text is compiled
   const find = (id) => document.getElementById(id);
   const initial = { scene: "mirrors", walk: "bvh_ordered", triangle: "watertight", view: "normals", size: 256 };
@@ -22,14 +23,16 @@
 
   function recall() {
     try {
-      return JSON.parse(localStorage.getItem(kept)) ?? {};
+      const state = JSON.parse(localStorage.getItem(kept)) ?? {};
+      return (state.link ?? "") === location.hash.replace(/^#$/, "") ? state : null;
     } catch {
-      return {};
+      return null;
     }
   }
   function keep() {
     try {
-      localStorage.setItem(kept, JSON.stringify({ choices: run.choices, edits: run.edits, file }));
+      const link = location.hash.length > 1 ? location.hash : undefined;
+      localStorage.setItem(kept, JSON.stringify({ link, choices: run.choices, edits: run.edits, file }));
     } catch {
       // A browser that keeps nothing still runs everything.
     }
@@ -109,6 +112,20 @@
     if (stopped?.file) showErrors([{ file: stopped.file, line: stopped.line, message: stopped.sentence, words: "" }]);
   }
 
+  // What the address asks for; a bad link is told, and asks for nothing.
+  async function asked() {
+    try {
+      const known = Object.fromEntries(Object.entries(onPage).map(([name, names]) => [name, names()]));
+      const linked = await play.readLink(location.hash, known);
+      if (linked) find("link-said").textContent = "This page is as its link says. Your own texts are kept beside it: they are on the page without the link.";
+      return { ...linked, ...recall() };
+    } catch (error) {
+      if (!(error instanceof play.PlayError)) throw error;
+      find("link-said").textContent = error.message;
+      return recall() ?? {};
+    }
+  }
+
   async function go() {
     clearTimeout(waiting);
     if (!gpu || gpu.state === "gone") return;
@@ -134,6 +151,7 @@
     } else {
       say(outcome.sentence);
     }
+    document.dispatchEvent(new CustomEvent("ran", { detail: outcome }));
   }
 
   function later() {
@@ -161,8 +179,13 @@
     } else {
       return;
     }
-    looked = [inside(looked[0], canvas.width), inside(looked[1], canvas.height)];
-    showPixel(...looked);
+    look(inside(looked[0], canvas.width), inside(looked[1], canvas.height));
+  }
+
+  function look(x, y) {
+    looked = [x, y];
+    showPixel(x, y);
+    document.dispatchEvent(new Event("looked"));
   }
 
   function showPixel(x, y) {
@@ -190,8 +213,8 @@
     }));
   }
 
-  function begin() {
-    const before = recall();
+  async function begin() {
+    const before = await asked();
     try {
       gpu = play.openGpu();
       showProbe();
@@ -199,6 +222,8 @@
       if (!(error instanceof play.PlayError)) throw error;
       gpu = null;
       document.body.dataset.state = "without";
+      find("still").hidden = !(find("mine").hidden = true);
+      find("mine").nextElementSibling.nextElementSibling.textContent = "a picture that was made elsewhere";
       say(error.message);
     }
     run = play.openSession(gpu, initial);
@@ -240,7 +265,10 @@
       canvas.tabIndex = 0;
       for (const kind of ["click", "keydown"]) canvas.addEventListener(kind, point);
     }
-    play.page = { gpu, run, editor }; // for whoever looks in from outside
+    // For the other sections of the page, which hear "ran" and "looked" of the document, and whoever looks in from outside.
+    looked = before.pixel ?? null;
+    play.page = { gpu, run, editor, begun: before, open, look, looked: () => looked, file: () => file };
+    document.dispatchEvent(new Event("begun"));
     if (!gpu) return;
     gpu.onLost = () => {
       document.body.dataset.state = "lost";
@@ -256,7 +284,8 @@
       find("stop").disabled = true;
       say("The browser has taken the graphics context away twice, so nothing runs any more. Your text is kept: reload the page in a few minutes.");
     };
-    go();
+    await go();
+    if (looked && Math.max(...looked) < run.choices.size) look(...looked);
   }
 
   begin();

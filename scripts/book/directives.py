@@ -4,6 +4,7 @@
     <!-- output: 04_grid --scene bunny --measure -->              what that command prints
     <!-- walk: grid -->                                           a figure to turn and step
     <!-- list: exercises -->                                      exercises, or sources
+    <!-- play: 6.2 -->                                            that exercise, to be written and checked in the page
 """
 
 import hashlib
@@ -11,11 +12,13 @@ import html
 import json
 import re
 
+from playground.exercises import shader_exercises
+
 from .cut_code import cut
 from .errors import BookError
 from .lists import LISTS
 
-DIRECTIVE = re.compile(r"^<!-- (code|output|walk|list): (.+?) -->\s*$")
+DIRECTIVE = re.compile(r"^<!-- (code|output|walk|list|play): (.+?) -->\s*$")
 LANGUAGES = {".glsl": "glsl", ".frag": "glsl", ".vert": "glsl", ".inc": "cpp", ".h": "cpp",
              ".cpp": "cpp"}
 
@@ -83,7 +86,16 @@ def _list(name, links, page):
     return LISTS[name](links, page)
 
 
-KINDS = {"code": _code, "output": _output, "walk": _walk, "list": _list}
+def _play(number, links, _page):
+    exercise = next((each for each in shader_exercises(links.root) if each.number == number), None)
+    if exercise is None:
+        raise BookError(f"{number} is no exercise in a shader. Name one of exercises.toml.")
+    return [f'<div class="play" data-play="{number}">',
+            f'<p><a href="playground/exercises.html#exercise={number}">{number} {html.escape(exercise.title)}: write it in the '
+            "playground</a></p>", "</div>"]
+
+
+KINDS = {"code": _code, "output": _output, "walk": _walk, "list": _list, "play": _play}
 
 
 def directives_in(text):

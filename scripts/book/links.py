@@ -92,8 +92,8 @@ class Links:
             return self.page_names[folder_page] + mark
         if path == Path("README.md") or path == Path("."):
             return "index.md"
-        if path == Path("docs/playground/index.html"):
-            return "playground/index.html"
+        if path.parent == Path("docs/playground") and path.suffix == ".html":
+            return f"playground/{path.name}{mark}"
         if is_picture:
             return self.picture(path)
         if path.suffix in PICTURES:

@@ -43,7 +43,7 @@ def settings(pages, site, order, theme):
         "extra": {"generator": False},
         "extra_css": ["assets/katex/katex.min.css", "assets/drawings.css", "assets/book.css"],
         "extra_javascript": ["assets/katex/katex.min.js", "assets/formulas.js",
-                             "assets/page.js", "assets/moving.js", "assets/walk_scene.js", "assets/walk.js"],
+                             "assets/page.js", "assets/moving.js", "assets/walk_scene.js", "assets/walk.js", "playground/load.js"],
         "markdown_extensions": ["tables", "md_in_html", "attr_list", "pymdownx.superfences",
                                 {"pymdownx.arithmatex": {"generic": True}},
                                 {"pymdownx.highlight": {"anchor_linenums": False}},

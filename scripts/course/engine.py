@@ -23,14 +23,15 @@ from .failure import Failure, of_refusal, of_run
 
 BUILD = ROOT / "build" / "default"
 STORE = ROOT / "build" / "course"  # answers of the reference, and pictures
+MOST_OF_BUILDERS = 768 << 20  # bytes of memory
 
 SECONDS_BETWEEN_LINES = 5  # of progress, where it goes to a file
 CLOCK_IN_CPP = 20  # seconds: what a right answer in C++ takes is far below
 MOST_BYTES_OF_ANSWERS = 8 << 20
 
-
 # Runs a program on a job. Its answers come out as the last words: in a sandbox no file outlasts it.
 RUN = '"$0" "$1" "$TMPDIR/answers.json" >&2 && cat "$TMPDIR/answers.json"'
+
 
 @dataclass
 class Answer:
@@ -202,6 +203,8 @@ def ask(engine, program, chapter, questions, overlay=None):
     limits = engine.limits if overlay else replace(engine.limits, cpu_seconds=0)
     if is_cpp:
         limits = replace(limits, seconds=min(limits.seconds, CLOCK_IN_CPP))
+        # No renderer: what takes so much does not end.
+        limits = replace(limits, memory_bytes=limits.memory_bytes and MOST_OF_BUILDERS)
     with tempfile.TemporaryDirectory(prefix="raysteps_course_") as name:
         scratch = Path(name)
         (scratch / "job.json").write_text(json.dumps({"questions": questions}))

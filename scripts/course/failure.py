@@ -51,7 +51,7 @@ def _in_words(number, errors):
 def _exception(errors, limits):
     last = errors.splitlines()[-1]
     if last in ("std::bad_alloc", "std::bad_array_new_length"):
-        most = f"the {limits.memory_bytes >> 30} GiB that it may have" if limits.memory_bytes else "there is"
+        most = f"the {limits.memory_bytes >> 20} MiB that it may have" if limits.memory_bytes else "there is"
         return (f"It asked for more memory than {most} ({last}): is a size negative, or does a list grow "
                 "without end?")
     return f"It threw an exception that nobody caught: {last[:300]}"

@@ -14,7 +14,7 @@ SIGN = 1 << 31
 
 
 def _number(bits):
-    """JSON has no number that is none, and none without an end."""
+    """JSON has neither NaN nor infinity."""
     value = from_bits(bits)
     if math.isfinite(value):
         return value

@@ -71,7 +71,8 @@ def write_counted(text, path, shaders):
 def endless(answer):
     """Step, index and line of the first answer that says a loop does not end; None where none does."""
     for step, found in enumerate(answer.steps, 1):
-        for index, (first, line, *rest) in enumerate(found):
+        for index, numbers in enumerate(found):
+            first, line, *rest = numbers[:4]
             if [first, *rest] == [ENDLESS] * 3:
                 return step, index, line
     return None

@@ -74,6 +74,6 @@ def compile_together(command, texts, own_object, folder):
     objects, texts = {}, list(dict.fromkeys(texts))
     for first in range(0, len(texts), MOST_VERSIONS):
         place = Path(folder) / str(first)
-        place.mkdir(parents=True)
+        place.mkdir(parents=True, exist_ok=True)
         objects.update(_compile_unit(command, texts[first:first + MOST_VERSIONS], names, own, place))
     return objects

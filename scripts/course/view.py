@@ -54,7 +54,7 @@ def ray_of_pixel(engine, exercise, question, pixel):
              "height": height}
     rays = engines.ask_reference(engine, engine.shaders_program(), exercise.chapter, [asked])[0]
     (*origin, t_min), (*direction, t_max) = (
-        texels[(height - 1 - pixel[1]) * width + pixel[0]] for texels in rays.steps)
+        texels[(height - 1 - pixel[1]) * width + pixel[0]][:4] for texels in rays.steps)
     return [*origin, *direction, t_min, t_max]
 
 

@@ -67,7 +67,7 @@ def complaint(engine, exercise, code, ask_own):
         return f"the witness could not be tried: {answers.message}"
     wrong = compare.first_wrong(answers[0], right[0], checkpoint)
     if wrong is None:
-        return "the witness is none: there the part does what it should, before it is repaired as well."
+        return "the witness is none: with this ray your part does what it should even before it is repaired. Try another."
     if wrong.step != step:
         return f"the witness is near: that goes wrong first at another step than {step}."
     return ""

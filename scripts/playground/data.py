@@ -10,11 +10,14 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from .exercises import chapter_file, list_script, pack_chapters, shader_exercises
+
 PAGE = "docs/playground"
 PROGRAM = "scripts/playground/playground_scene"
-SCENES = ("knot:1", "mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
+PROGRAMS = (PROGRAM, "scripts/course/answers/course_shaders")
+SCENES = ("mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
 LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
-ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag")
+ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
 ENDINGS = (".glsl", ".frag", ".vert")
 WIDTH = 120  # characters in a line of base64
 
@@ -33,16 +36,21 @@ def shaders_script(root):
     return f"// Made by `python3 -B scripts/playground data` of shaders/ and engine/: do not edit.\nRaysteps.play.addFiles({{\n{lines}\n}});\n"
 
 
-def scene_script(name, packed):
-    """`packed` is what the program playground_scene writes."""
+def packed_script(call, name, packed):
+    """A script that hands these bytes to a function of the page: addScene or addChapter."""
     text = base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
     lines = "\n".join(text[i:i + WIDTH] for i in range(0, len(text), WIDTH))
-    return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.addScene({json.dumps(name)}, `{lines}`);\n"
+    return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.{call}({json.dumps(name)}, `{lines}`);\n"
 
 
-def packed_scene(script):
-    """The bytes in a script that scene_script has made. Different versions of zlib pack the same bytes differently."""
+def packed_in(script):
+    """The bytes in a script that packed_script has made. Different versions of zlib pack the same bytes differently."""
     return gzip.decompress(base64.b64decode(script.split("`")[-2]))
+
+
+def offers_script(names):
+    """For a page that loads a scene when it is asked for."""
+    return "".join(f"Raysteps.play.offerScene({json.dumps(name)}, {json.dumps('data/' + scene_file(name))});\n" for name in names)
 
 
 def scene_file(name):
@@ -58,14 +66,16 @@ def pack_scene(build, name):
 
 
 def write_data(root, build, folder):
-    """Writes all scripts into the folder. Where a script has the same scene packed already, it stays."""
+    """Writes all scripts into the folder. Where a script has the same bytes packed already, it stays."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "shaders.js").write_text(shaders_script(root), encoding="utf-8")
-    for name in SCENES:
-        packed = pack_scene(build, name)
-        file = folder / scene_file(name)
-        if not file.exists() or packed_scene(file.read_text()) != packed:
-            file.write_text(scene_script(name, packed))
+    (folder / "scenes.js").write_text(offers_script(SCENES))
+    (folder / "exercises.js").write_text(list_script(shader_exercises(root)), encoding="utf-8")
+    made = [("addScene", name, folder / scene_file(name), pack_scene(build, name)) for name in SCENES]
+    made += [("addChapter", name, folder / chapter_file(name), packed) for name, packed in pack_chapters(root, build)]
+    for call, name, file, packed in made:
+        if not file.exists() or packed_in(file.read_text()) != packed:
+            file.write_text(packed_script(call, name, packed))
 
 
 def write_large_scenes(build, folder, say):
@@ -78,20 +88,19 @@ def write_large_scenes(build, folder, say):
         file = folder / scene_file(name)
         if not file.exists() or file.stat().st_mtime < (build / PROGRAM).stat().st_mtime:
             say(f"playground: packing {name}")
-            file.write_text(scene_script(name, pack_scene(build, name)))
+            file.write_text(packed_script("addScene", name, pack_scene(build, name)))
 
 
 def copy_page(root, large, to):
     """The page and all that it needs, with the large scenes that the folder `large` has."""
     shutil.rmtree(to, ignore_errors=True)
     shutil.copytree(root / PAGE, to)
-    offers = [f"Raysteps.play.offerScene({json.dumps(name)}, {json.dumps('data/' + scene_file(name))});\n"
-              for name in LARGE_SCENES if (large / scene_file(name)).exists()]
+    offers = [name for name in LARGE_SCENES if (large / scene_file(name)).exists()]
     if not offers:
         return
-    for name in LARGE_SCENES:
+    for name in offers:
         shutil.copyfile(large / scene_file(name), to / "data" / scene_file(name))
-    (to / "data" / "offers.js").write_text("".join(offers))
+    (to / "data" / "offers.js").write_text(offers_script(offers))
     page = to / "index.html"
     own = '<script defer src="editor.js"></script>'
     page.write_text(page.read_text().replace(own, f'<script defer src="data/offers.js"></script>\n{own}'))

@@ -74,8 +74,12 @@ Ray asked_ray(Ray ray, int step) {
 }
 
 uvec4 checkpoint(Ray ray, int step) {
-    Hit hit = hit_of_unit_triangle(step == 1 ? ray : asked_ray(ray, step));
     Ray asked = asked_ray(ray, step);
+    Ray traced = ray;
+    if (step != 1) {
+        traced = asked;
+    }
+    Hit hit = hit_of_unit_triangle(traced);
     also = step == 1 ? uvec4(0u)
                      : uvec4(bits(asked.origin.x), bits(asked.origin.y), bits(asked.t_min),
                              bits(asked.t_max));

@@ -1,9 +1,7 @@
 // The highlight of a lamp at the point `direction` on a surface at the ray's origin, which lies
-// flat. The eye looks down on it in step 1, and up from below in step 2. In steps 3 and 4 the
-// normal is another one and the eye looks from the side, with a dull gloss and with a sharp one.
+// flat. The eye looks down on it in step 1, and up from below in step 2.
 #include "light/highlight.glsl"
 
-// The exponent 4 is written out: then a power is a product, which keeps what is no number.
 uvec4 checkpoint(Ray ray, int step) {
     Surface surface;
     surface.origin = ray.origin;
@@ -11,14 +9,8 @@ uvec4 checkpoint(Ray ray, int step) {
     surface.geometric_normal = real3(real(0.6f), real(0.0f), real(0.8f));
     Gloss gloss;
     gloss.color = real3(real(0.5f), real(0.25f), real(1.0f));
-    real3 light_color = real3(real(2.0f), real(4.0f), real(1.0f));
-    if (step > 2) {
-        surface.normal = real3(real(0.48f), -real(0.6f), real(0.64f));
-        gloss.exponent = real(step == 3 ? 1.0f : 24.0f);
-        real3 aside = real3(real(0.3f), real(1.5f), -real(2.5f));
-        return bits_of_point(highlight(surface, aside, ray.direction, light_color, gloss), 0);
-    }
     gloss.exponent = real(4.0f);
     real3 look = real3(real(0.0f), real(0.0f), step == 1 ? -real(2.0f) : real(2.0f));
+    real3 light_color = real3(real(2.0f), real(4.0f), real(1.0f));
     return bits_of_point(highlight(surface, look, ray.direction, light_color, gloss), 0);
 }

@@ -3,7 +3,7 @@
 #include "basics/timed.h"
 #include "structure/bvh/build_bvh.h"
 #include "structure/options.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <string>
 

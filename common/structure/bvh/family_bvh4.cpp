@@ -2,7 +2,7 @@
 #include "structure/bvh/build_bvh.h"
 #include "structure/bvh/bvh4.h"
 #include "structure/bvh/family_bvh.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 namespace raysteps {
 

@@ -1,6 +1,6 @@
 #include "structure/bvh/bvh.h"
 #include "structure/bvh/family_bvh.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 namespace raysteps {
 

@@ -1,7 +1,7 @@
 #include "basics/timed.h"
 #include "structure/grid/build_grid.h"
 #include "structure/options.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <algorithm>
 #include <functional>

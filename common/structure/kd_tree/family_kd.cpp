@@ -2,7 +2,7 @@
 #include "structure/kd_tree/build_kd_tree.h"
 #include "structure/kd_tree/kd_tree.h"
 #include "structure/options.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <functional>
 #include <string>

@@ -2,8 +2,10 @@
 //
 //   play.addScene("knot:1", base64)   keeps the packed file (data/scene_*.js calls it)
 //   play.offerScene("bunny", "data/scene_bunny.js")   a scene that is loaded when it is opened first
+//   await play.loadScript("data/scene_bunny.js")   a script of the playground's folder
+//   await play.unzip(base64)          the bytes; play.unpackScene(bytes) makes a scene of them
 //   play.sceneNames()                 of all that were added or offered
-//   await play.openScene("knot:1")    a scene:
+//   await play.openScene("mirrors")   a scene:
 //     {scene, scene_hash, triangles, view, middle_distance, background, reach,
 //      arrays: {uniform: {kind, texels, data}}, families: {name: {arrays, points, counts, numbers, longest_walk}}}
 //   play.familyOf(scene, "bvh_skip")  the structure that serves a walk
@@ -14,6 +16,7 @@
 
 (() => {
   const play = (globalThis.Raysteps ??= {}).play ??= {};
+  const folder = new URL("..", document.currentScript.src); // of the playground, wherever the page lies
   const octants = 8;
   const packed = new Map();
   const offered = new Map();
@@ -28,15 +31,18 @@
   }
 
   // By an element of the page, since a page from the disk may load a script and nothing else.
-  function load(name) {
-    if (packed.has(name)) return Promise.resolve();
+  function loadScript(address) {
     return new Promise((resolve, reject) => {
-      const script = Object.assign(document.createElement("script"), { src: offered.get(name), onload: resolve });
-      script.onerror = () => {
-        opened.delete(name);
-        reject(new play.PlayError(`The scene ${name} could not be loaded from ${offered.get(name)}. Take another one.`));
-      };
+      const script = Object.assign(document.createElement("script"), { src: new URL(address, folder), onload: resolve });
+      script.onerror = () => reject(new play.PlayError(`${address} could not be loaded. Is the folder of the playground whole?`));
       document.head.append(script);
+    });
+  }
+
+  function load(name) {
+    return packed.has(name) ? Promise.resolve() : loadScript(offered.get(name)).catch((error) => {
+      opened.delete(name);
+      throw error;
     });
   }
 
@@ -190,5 +196,5 @@
     return Object.fromEntries(Object.entries(scene.view).map(([name, value]) => [`view.${name}`, value]));
   }
 
-  Object.assign(play, { addScene, offerScene, sceneNames, openScene, familyOf, viewUniforms });
+  Object.assign(play, { addScene, offerScene, loadScript, unzip, unpackScene: unpack, sceneNames, openScene, familyOf, viewUniforms });
 })();

@@ -4,12 +4,14 @@
 
 #include "basics/box.h"
 #include "basics/error.h"
+#include "basics/file.h"
 #include "gpu/draw.h"
 #include "gpu/limits.h"
 #include "gpu/shaders.h"
 #include "image/difference.h"
 #include "image/image.h"
 #include "image/image_file.h"
+#include "playground_file.h"
 #include "render/rays.h"
 #include "render/scene_textures.h"
 #include "render/show_hits.h"
@@ -36,9 +38,12 @@ namespace {
 
 constexpr int most_bounces = 3;
 
+float aspect_ratio_of(const CourseQuestion& question) {
+    return static_cast<float>(question.width) / static_cast<float>(question.height);
+}
+
 Scene scene_of(const CourseQuestion& question) {
-    return load_scene(question.scene,
-                      static_cast<float>(question.width) / static_cast<float>(question.height));
+    return load_scene(question.scene, aspect_ratio_of(question));
 }
 
 std::vector<Ray> rays_of(const CourseQuestion& question, const Scene& scene) {
@@ -69,8 +74,13 @@ Parts parts_of(const CourseQuestion& question) {
 }
 
 SceneTextures upload(const CourseQuestion& question, const Scene& scene, float reach) {
-    return upload(scene, family_of(question.structure)
-                             .build(scene.corners, {.reach = reach, .values = question.options}));
+    const StructureFamily family = family_of(question.structure);
+    const BuildRequest request{.reach = reach, .values = question.options};
+    if (!question.packed.empty()) {
+        write_file(question.packed, playground_file(scene, aspect_ratio_of(question),
+                                                    std::span(&family, 1), request));
+    }
+    return upload(scene, family.build(scene.corners, request));
 }
 
 Found found_in(const glm::uvec4& texel) {
@@ -134,9 +144,15 @@ std::vector<BufferTexture> give(Program& program, const CourseQuestion& question
     return empty;
 }
 
-Program& program_of(const std::string& pass, Parts parts, KeptProgram& kept) {
+// A program is kept for questions that set the same uniforms: what one leaves out has its initial
+// value.
+Program& program_of(const std::string& pass, Parts parts, const CourseQuestion& question,
+                    KeptProgram& kept) {
     parts.try_emplace("real", "real/float.glsl");
     std::string text = read_shader(pass, parts).text;
+    for (const auto& [name, number] : question.numbers) {
+        text += "\n" + name;
+    }
     if (!kept.program || kept.text != text) {
         kept.program.reset();
         kept.program.emplace(pass, parts);
@@ -156,8 +172,8 @@ Answer answer_checkpoint(const CourseQuestion& question, KeptProgram& kept) {
         of_packets ? walk_parts(question.triangle, question.structure) : parts_of(question);
     parts["checkpoint"] = question.subject;
     parts["observer"] = question.observer;
-    Program& program =
-        program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts, kept);
+    Program& program = program_of(of_packets ? "packet_checkpoint.frag" : "checkpoint.frag", parts,
+                                  question, kept);
     const std::vector<BufferTexture> zeros = give(program, question, textures, rays);
     const auto texture = [&rays] {
         return Texture(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height());

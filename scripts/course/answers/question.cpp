@@ -72,6 +72,7 @@ CourseQuestion question_of(const Json& json) {
     question.points = vectors_of<glm::vec3>(json.value("points", Json::object()));
     question.counts = vectors_of<glm::ivec3>(json.value("counts", Json::object()));
     question.zeros = json.value("zeros", question.zeros);
+    question.packed = json.value("packed", std::string());
     question.picture = json.value("picture", std::string());
     question.reference = json.value("reference", std::string());
     for (const Json& ray : json.value("rays", Json::array())) {

@@ -47,6 +47,7 @@ struct CourseQuestion {
     std::map<std::string, glm::vec3> points;  // as well
     std::map<std::string, glm::ivec3> counts; // as well
     std::map<std::string, int> zeros;         // buffers of so many texels of zeros, too
+    std::filesystem::path packed;             // where the scene goes, for the playground
     std::filesystem::path picture;            // where the picture goes, or lies, without its ending
     std::filesystem::path reference; // the picture that it is held against, without its ending
 };

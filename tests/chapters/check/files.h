@@ -4,7 +4,7 @@
 #include "hard_cases/meshes.h"
 #include "scene/scene.h"
 #include "structure/bvh/build_bvh.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 #include "support/scene_of.h"
 
 #include <string>

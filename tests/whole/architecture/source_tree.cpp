@@ -90,7 +90,8 @@ std::string find_included(const fs::path& root, const std::string& from, const s
     const std::string beside = fs::path(from).parent_path().generic_string();
     for (const std::string& folder :
          {beside, std::string("common"), std::string("shaders"), std::string("tests"),
-          std::string("chapters"), std::string("scripts/course/answers"), std::string()}) {
+          std::string("chapters"), std::string("scripts/course/answers"),
+          std::string("scripts/playground"), std::string()}) {
         const fs::path path = (fs::path(folder) / name).lexically_normal();
         if (fs::is_regular_file(root / path)) {
             return path.generic_string();

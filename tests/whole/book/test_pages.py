@@ -9,12 +9,13 @@ from pathlib import Path
 
 from support import ROOT, FolderTest
 from book.contents import page_names, parts
-from book.directives import output_file, shown_command
+from book.directives import carry_out, directives_in, output_file, shown_command
 from book.errors import BookError
 from book.figures import TABLE
 from book.links import Links
 from book.lists import family_name, items, section, work
 from book.pages import make_page
+from playground.exercises import shader_exercises
 
 PAGE = Path("chapters/04_a/README.md")
 
@@ -118,6 +119,20 @@ class Pages(FolderTest):
     def test_an_unknown_list_is_an_error(self):
         with self.assertRaisesRegex(BookError, "no list stars"):
             self.made("<!-- list: stars -->")
+
+    def test_only_an_exercise_in_a_shader_can_be_played(self):
+        for number in ("6.5", "6.9"):  # in C++, and none
+            with self.assertRaisesRegex(BookError, f"{number} is no exercise in a shader"):
+                carry_out(f"<!-- play: {number} -->", Links(ROOT, self.folder, [], self.folder), None)
+
+    def test_the_lessons_01_to_06_have_each_exercise_in_a_shader_once(self):
+        links = Links(ROOT, self.folder, [], self.folder)
+        for lesson in sorted((ROOT / "chapters").glob("0[1-6]_*/README.md")):
+            played = [words for kind, words in directives_in(lesson.read_text()) if kind == "play"]
+            wanted = [exercise.number for exercise in shader_exercises(ROOT) if exercise.chapter == lesson.parent.name]
+            self.assertEqual(sorted(played), sorted(wanted))
+            for number in played:
+                self.assertIn(f'data-play="{number}"', "".join(carry_out(f"<!-- play: {number} -->", links, None)))
 
 
 class Lists(unittest.TestCase):

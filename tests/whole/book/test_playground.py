@@ -18,11 +18,11 @@ from selenium.webdriver.common.keys import Keys
 from browser import STORE, leave_without, start_browser
 from support import ROOT
 from book.serve import make_server
-from playground.data import PAGE, packed_scene, scene_file
+from playground.data import PAGE, packed_in, scene_file
 
 PROGRAM = STORE.parent / "chapters" / "06_bvh" / "06_bvh"
 RAYS = 16384
-SCENE = "knot:1"
+SCENE = "mirrors"
 ADDRESS = (ROOT / PAGE / "index.html").as_uri()
 
 # Runs the body of an asynchronous function in the page, and gives what it returns.
@@ -85,7 +85,7 @@ return differing;
 
 def corners_of(name):
     """The corners of a scene's triangles, three numbers each, as the page has them."""
-    packed = packed_scene((ROOT / PAGE / "data" / scene_file(name)).read_text())
+    packed = packed_in((ROOT / PAGE / "data" / scene_file(name)).read_text())
     length = struct.unpack("<I", packed[:4])[0]
     entry = next(each for each in json.loads(packed[4:4 + length])["arrays"] if each["name"] == "triangle_corners")
     numbers = array.array("f", packed[4 + length + entry["start"]:][:entry["bytes"]])
@@ -120,7 +120,9 @@ def hits_of_the_program(rays):
         return answered.read_bytes()
 
 
-class Playground(unittest.TestCase):
+class PlaygroundTest(unittest.TestCase):
+    """Tests that share one browser, and what a reader does to the page."""
+
     @classmethod
     def setUpClass(cls):
         cls.browser = start_browser()
@@ -155,6 +157,14 @@ class Playground(unittest.TestCase):
             time.sleep(0.05)
         self.fail(f"the page is {state}, not {states}: {self.said()}")
 
+    def wait_until(self, script, seconds=60):
+        for _ in range(seconds * 20):
+            found = self.browser.execute_script(script)
+            if found:
+                return found
+            time.sleep(0.05)
+        return self.fail(f"this did not become true: {script}")
+
     def said(self):
         return self.browser.find_element("id", "said").text
 
@@ -178,6 +188,14 @@ class Playground(unittest.TestCase):
     def complaints(self):
         return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
 
+    def keep_picture(self, name):
+        """A screenshot, for a person to look at."""
+        folder = STORE / "screenshots"
+        folder.mkdir(parents=True, exist_ok=True)
+        self.browser.save_screenshot(str(folder / f"{name}.png"))
+
+
+class Playground(PlaygroundTest):
     def test_every_program_without_double_compiles(self):
         found = self.run_in_page(COMPILE)
         self.assertEqual(found["faults"], [])
@@ -344,12 +362,6 @@ class Playground(unittest.TestCase):
             self.keep_picture("playground_narrow")
         finally:
             self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-
-    def keep_picture(self, name):
-        """A screenshot, for a person to look at."""
-        folder = STORE / "screenshots"
-        folder.mkdir(parents=True, exist_ok=True)
-        self.browser.save_screenshot(str(folder / f"{name}.png"))
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ TEST_CASE("help names every option of every program", "[command]") {
     check_help("05_kd_tree", with(tracing, {"--view", "--measure"}));
     check_help("06_bvh", with(tracing, {"--view", "--measure"}));
     check_help("07_compare", with(tracing, {"--scenes", "--growth", "--rounds", "--most-seconds",
-                                            "--embree", "--against"}));
+                                            "--embree", "--against", "--gpu-cards"}));
     check_help("08_accuracy", with(common_options, {"--quick", "--full", "--trade-offs,--knobs",
                                                     "--seed", "--rounds"}));
     check_help("09_effects", with(tracing, {"--effects", "--max-bounces", "--faintest", "--samples",

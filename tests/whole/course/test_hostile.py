@@ -234,7 +234,7 @@ class Programs(CourseTest):
                  "It printed too much (SIGXFSZ)"), ("std::abort();", "It gave up (SIGABRT)"))
         if "--memory" not in COURSE:  # AddressSanitizer ends it otherwise
             ends += (("std::vector<double> list(range.items.size() << 40U);",
-                      "It asked for more memory than the 8 GiB that it may have (std::bad_alloc)"),)
+                      "It asked for more memory than the 768 MiB that it may have (std::bad_alloc)"),)
         for code, words in ends:
             path = self.solve("6.5", f"    {code}\n    return {{}};")
             text = path.read_text()

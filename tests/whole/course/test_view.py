@@ -28,7 +28,7 @@ class Words(unittest.TestCase):
     def test_a_ray_in_a_scene_is_shown_in_it(self):
         result = result_of("6.4", "climb", wrong=Wrong(0, 1, RAY, []))
         self.assertEqual(view.wrong_ray(result),
-                         ["soup:60", "--structure", "bvh_parent", "--leaf-triangles", "2",
+                         ["soup:60", "--structure", "bvh_parent", "--leaf-triangles", "1",
                           "--ray=-1,0.5,0.5,1,0,0,0,4"])
 
     def test_a_grid_made_of_numbers_is_shown_by_its_file(self):

@@ -3,7 +3,7 @@
 // libFuzzer keeps the bytes.
 #include "basics/error.h"
 #include "structure/bvh/check_bvh.h"
-#include "structure/tree_file.h"
+#include "structure/tree_file/tree_file.h"
 
 #include <array>
 #include <cstddef>
