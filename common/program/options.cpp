@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "program/figures.h"
+#include "program/output.h"
 #include "scene/camera_text.h"
 #include "scene/load_scene.h"
 #include "scene/scaling.h"
@@ -351,7 +352,11 @@ void add_picture_options(Options& options, PictureOptions& picture) {
 }
 
 Scene load_scene(const PictureOptions& picture) {
-    Scene scene = load(picture);
+    const auto loaded = [&] {
+        const WorkNotice notice("loading " + picture.scene);
+        return load(picture);
+    };
+    const Scene scene = loaded();
     for (const std::string& message : scene.messages) {
         std::cerr << message << "\n";
     }

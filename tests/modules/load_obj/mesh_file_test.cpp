@@ -88,7 +88,8 @@ TEST_CASE("a mesh file that was cut or changed is refused or sound", "[import]")
             });
         }
     }
-    CHECK_THAT(refusal_of_mesh([&] { read_mesh_file(bytes + "x", "a.glb"); }), contains_text("goes on"));
+    CHECK_THAT(refusal_of_mesh([&] { read_mesh_file(bytes + "x", "a.glb"); }),
+               contains_text("goes on"));
 }
 
 TEST_CASE("a mesh whose parts do not fit together is refused", "[import]") {
