@@ -6,6 +6,7 @@
 #   ./run.sh hard_cases [...]     tries every method at every hard case, and prints who passes
 #   ./run.sh check --tree FILE    says what is wrong with a tree that another program built (docs/tree_files.md)
 #   ./run.sh shrink --command ... reduces a ray that another engine gets wrong to a few triangles
+#   ./run.sh conformance --command ...  runs the hard cases over any ray tracer, and judges its hits exactly
 #   ./run.sh view [SCENE ...]     shows a structure and how a ray walks through it, step by step
 #   ./run.sh book [--port N]      makes the book, and serves it on this machine (127.0.0.1:8000)
 #   ./run.sh book --pdf           makes the book, and prints it into one PDF
@@ -20,7 +21,7 @@ cd "$(dirname "$0")"
 install=
 case "${1:-}" in
 --help | -h)
-  sed -n '2,14s/^# \{0,1\}//p' run.sh
+  sed -n '2,15s/^# \{0,1\}//p' run.sh
   exit 0
   ;;
 --no-install)
@@ -29,15 +30,27 @@ case "${1:-}" in
   ;;
 esac
 
+# The small conformance suite is there already, and Python is all that it needs.
+if [ "${1:-}" = conformance ] && [[ " $* " != *" --rays "* ]]; then
+  script=$PWD/scripts/conformance
+  shift
+  cd "$called_from"
+  exec python3 -B "$script" "$@"
+fi
+
 chapter=
-shrink=
+script=()
 kind=run
 if [ "${1:-}" = view ] || [ "${1:-}" = book ]; then
   kind=$1
   shift
 elif [ "${1:-}" = shrink ]; then
   chapter=check
-  shrink=1
+  script=(shrink --check)
+  shift
+elif [ "${1:-}" = conformance ]; then
+  chapter=hard_cases
+  script=(conformance --generator)
   shift
 elif [ $# -gt 0 ]; then
   for folder in chapters/"$1"*/; do
@@ -49,6 +62,12 @@ elif [ $# -gt 0 ]; then
     exit 2
   fi
   shift
+fi
+
+# What a script says of itself needs no program.
+if [[ " $* " =~ " --help " || " $* " =~ " -h " ]]; then
+  [ $kind != book ] || exec python3 -B scripts/book serve --help
+  [ -z "$shrink" ] || exec python3 -B scripts/shrink --help
 fi
 
 set_up $kind $install
@@ -74,8 +93,8 @@ build_and_run() {
   }
   local project=$PWD
   cd "$called_from"
-  if [ -n "$shrink" ]; then
-    exec python3 -B "$project/scripts/shrink" --check "$program" "$@"
+  if [ ${#script[@]} -gt 0 ]; then
+    exec python3 -B "$project/scripts/${script[0]}" "${script[1]}" "$program" "$@"
   fi
   exec "$program" "$@"
 }

@@ -6,13 +6,22 @@
 #include "visualizer/replay/sentence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
 namespace raysteps::view {
 
+namespace {
+
+// A cell without a surface is never met. The logarithm of nothing has no colour: such cells get
+// that of the cheapest.
+constexpr double least_cost = 1e-12;
+
+} // namespace
+
 glm::vec3 color_in(const ValueRange& range, double value) {
-    const double part = (value - range.lower) / (range.upper - range.lower);
+    const double part = std::clamp((value - range.lower) / (range.upper - range.lower), 0.0, 1.0);
     // The brightest yellow is hard to see on paper.
     const glm::vec3 linear = color_map(static_cast<float>(0.92 * part));
     return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
@@ -25,7 +34,7 @@ std::string color_title(CellColor color) {
     case CellColor::triangles:
         return "triangles in the cell";
     case CellColor::cost:
-        return "expected cost";
+        return "expected cost, logarithmic";
     case CellColor::visits:
         break;
     }
@@ -49,7 +58,7 @@ std::vector<double> color_values(const Pane& pane, const State& state,
             values.push_back(cell.triangles);
             break;
         case CellColor::cost:
-            values.push_back(cell.cost);
+            values.push_back(std::log10(std::max(cell.cost, least_cost)));
             break;
         case CellColor::visits:
             values.push_back(visits.empty() ? 0.0 : visits[place]);
@@ -68,13 +77,19 @@ ValueRange color_range(const Stage& stage, const State& state) {
         }
         const std::vector<double> own =
             color_values(*pane, state, choose_cells(*pane, state).cells);
-        values.insert(values.end(), own.begin(), own.end());
+        std::copy_if(own.begin(), own.end(), std::back_inserter(values), [&](double value) {
+            return state.color != CellColor::cost || value > std::log10(least_cost);
+        });
     }
     if (values.empty()) {
         return {};
     }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     return *least < *most ? ValueRange{*least, *most} : ValueRange{*least, *least + 1.0};
+}
+
+double number_of(CellColor color, double value) {
+    return color == CellColor::cost ? std::pow(10.0, value) : value;
 }
 
 std::vector<float> heat_values(const Pane& pane, HeatMap map) {
@@ -96,6 +111,17 @@ double heat_limit(const std::vector<float>& values) {
     const std::size_t place = (some.size() - 1) * 99 / 100;
     std::nth_element(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(place), some.end());
     return static_cast<double>(some[place]);
+}
+
+ValueRange heat_range(const Stage& stage, const State& state, std::size_t pane) {
+    if (state.own_scales) {
+        return {0.0, heat_limit(heat_values(*stage.panes()[pane], state.heat_map))};
+    }
+    ValueRange range{0.0, 1.0};
+    for (const std::unique_ptr<Pane>& each : stage.panes()) {
+        range.upper = std::max(range.upper, heat_limit(heat_values(*each, state.heat_map)));
+    }
+    return range;
 }
 
 std::string heat_title(const Pane& pane, const State& state) {

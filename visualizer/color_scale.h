@@ -22,12 +22,17 @@ glm::vec3 color_in(const ValueRange& range, double value);
 
 std::string color_title(CellColor color);
 
-// The value that gives each of these cells its colour: its depth, triangles, cost or visits.
+// The value that gives each of these cells its colour: its depth, triangles or visits, or the
+// logarithm to base 10 of its cost, since a few cells near the root cost more than all others
+// together.
 std::vector<double> color_values(const Pane& pane, const State& state,
                                  const std::vector<int>& cells);
 
 // The same range for all panes: all depths there are, or the values of the cells that are drawn.
 ValueRange color_range(const Stage& stage, const State& state);
+
+// What a value of a colour stands for: of a logarithm, its number.
+double number_of(CellColor color, double value);
 
 // The value of each pixel in the heat map, row by row from the top.
 std::vector<float> heat_values(const Pane& pane, HeatMap map);
@@ -35,6 +40,10 @@ std::vector<float> heat_values(const Pane& pane, HeatMap map);
 // The value of the last colour: 99 % of the pixels that cost anything stay below it. A few rays
 // along a silhouette cost many times more, and would leave the rest in the dark.
 double heat_limit(const std::vector<float>& values);
+
+// The same scale for the heat maps of all panes, so that the brightest does most; or, where the
+// state asks for it, this pane's own.
+ValueRange heat_range(const Stage& stage, const State& state, std::size_t pane);
 
 // `visits a pixel: 17.2 on average, 213 at most`, and the state's pixel, where there is one.
 std::string heat_title(const Pane& pane, const State& state);

@@ -209,10 +209,11 @@ Text now(Value State::*member) {
     return [=](const State& s) { return text_of(s.*member); };
 }
 
-State with_next_order(State state, const Stage&) {
+// The selected row stays in sight.
+State with_next_order(State state, const Stage& stage) {
     state.sort_by = next_of(state.sort_by);
     state.first_row = 0;
-    return state;
+    return with_row(state, stage, 0);
 }
 
 const std::vector<KeySection>& key_table() {
@@ -268,6 +269,11 @@ const std::vector<KeySection>& key_table() {
             {"o", set(&State::model, ModelStyle::hidden)}},
            now(&State::model)},
           {"I", "heat map", {{"i", with_next_heat_map}}, now(&State::heat_map)},
+          {"U",
+           "own scale for each map",
+           {{"u", turn(&State::own_scales)}},
+           now(&State::own_scales)},
+          {"Ctrl+Z  Y", "undo, redo", {{"Control+z", A::undo}, {"Control+y", A::redo}}},
           {"F12  K", "save picture, state", {{"F12", A::save_picture}, {"k", A::save_state}}},
           {"H  Q",
            "this sheet, quit",
@@ -304,6 +310,11 @@ std::string line_text(const KeyLine& line, const State& state) {
 State after_key(const State& state, const Stage& stage, const std::string& name) {
     const Key* const key = find_key(name);
     return key && key->after ? key->after(state, stage) : state;
+}
+
+bool changes_state(const std::string& name) {
+    const Key* const key = find_key(name);
+    return key && key->after;
 }
 
 WindowAction window_action(const std::string& name) {

@@ -6,12 +6,14 @@
 
 namespace raysteps::view {
 
-// The state after a key, by its name in X11 (`n`, `Right`, `bracketleft`); the same state where the
-// key does nothing to it. The stage shows the state.
+// The state after a key, by its name in X11 (`n`, `Right`, `bracketleft`), after `Control+` where
+// that is held; the same state where the key does nothing to it. The stage shows the state.
 State after_key(const State& state, const Stage& stage, const std::string& key);
 
+bool changes_state(const std::string& key);
+
 // What a key does that only a window can do.
-enum class WindowAction { none, play, save_picture, save_state, quit };
+enum class WindowAction { none, play, undo, redo, save_picture, save_state, quit };
 
 WindowAction window_action(const std::string& key);
 

@@ -58,9 +58,13 @@ int table_rows(const Layout& layout) {
     return std::max(layout.table.height / row_height - 1, 0);
 }
 
+int histogram_width(const Area& area) {
+    return std::clamp(area.width / 4, 30, 170);
+}
+
 Area picture_area(const Area& area, const glm::ivec2& picture) {
     // The title stands above, the histogram to the right.
-    const int room_x = std::max(area.width - 2 * margin - 190, 1);
+    const int room_x = std::max(area.width - 2 * margin - histogram_width(area) - 20, 1);
     const int room_y = std::max(area.height - 2 * margin - 20, 1);
     const double scale =
         std::min(static_cast<double>(room_x) / picture.x, static_cast<double>(room_y) / picture.y);

@@ -43,6 +43,9 @@ bool has_note(const State& state);
 // How many rows of the table are visible, not counting its header.
 int table_rows(const Layout& layout);
 
+// Of the bars beside the picture of a heat map in that area.
+int histogram_width(const Area& area);
+
 // Where the picture of a heat map goes in its area: as large as fits, centred vertically.
 Area picture_area(const Area& area, const glm::ivec2& picture);
 

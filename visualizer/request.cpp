@@ -222,7 +222,9 @@ void add_options(CLI::App& app, Given& given, Request& request) {
     app.add_option("--screenshot", request.screenshot,
                    "write a picture instead of opening a window");
     app.add_option("--animate", request.animation, "write a picture of each step to this folder");
-    app.add_option("--export", request.exports, "write .vtp, .vtm, .gltf, .vtkjs or .json")
+    app.add_option("--export", request.exports,
+                   "write .vtp, .vtm, .gltf, .vtkjs or .json; several between commas")
+        ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     for (const auto& [name, option] : all_build_options()) {
         app.add_option("--" + name, request.state.build_values[name], option.meaning);

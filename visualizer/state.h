@@ -110,6 +110,7 @@ struct State {
     int most_cells = 20000;
     std::optional<ClipPlane> clip;
     HeatMap heat_map = HeatMap::none;
+    bool own_scales = false; // of several heat maps; otherwise one for all
     bool table = false;
     SortBy sort_by = SortBy::cost;
     bool descending = true;

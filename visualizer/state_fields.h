@@ -60,6 +60,8 @@ void visit_fields(const Visit& visit) {
     field("clip", &State::clip, "--clip",
           "hide what lies behind a plane: a point x,y,z and a normal x,y,z");
     field("heat_map", &State::heat_map, "--heat-map", "show the work per pixel of the picture");
+    field("own_scales", &State::own_scales, "--own-scales",
+          "give each of several heat maps a scale of its own, instead of one for all");
     field("table", &State::table);
     field("sort_by", &State::sort_by, "--table", "show a table of the cells, sorted by this");
     field("descending", &State::descending);

@@ -40,6 +40,9 @@ int count_of(const TrialTools& tools) {
 std::vector<TrialRow> corners_of_flat_boxes(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
     std::vector<AimedBox> aimed = rays_at_corners_of_any_box(numbers, count_of(tools));
+    for (const AimedBox& touched : rays_that_touch_a_box(numbers, count_of(tools))) {
+        aimed.push_back(touched);
+    }
     std::vector<TrialRow> rows = try_both(aimed, PlainBox::reported);
     for (AimedBox& one : aimed) {
         one.box = grown_by_roundings(one.box);
@@ -73,8 +76,8 @@ std::vector<Trial> box_checks() {
         {"B1", "rays in the planes of a box's sides: a box is closed", "",
          "choose near and far planes by the sign of the direction",
          [](const TrialTools&) { return try_both(rays_in_sides_of_a_box(), PlainBox::promised); }},
-        {"B2", "rays at corners of flat boxes", ize, "pad boxes when they are built, or the test",
-         corners_of_flat_boxes},
+        {"B2", "rays at corners of flat boxes, and rays that only touch a box", ize,
+         "pad boxes when they are built, or the test", corners_of_flat_boxes},
         {"B3", "a box a million sides away from zero", "",
          "(plane - origin) * inverse, not plane * inverse - origin * inverse",
          [](const TrialTools&) { return try_both(rays_far_from_zero(), PlainBox::promised); }},

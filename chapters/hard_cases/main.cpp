@@ -1,6 +1,7 @@
 // The hard cases by every method: who passes, who fails.
 #include "basics/error.h"
 #include "basics/file.h"
+#include "conformance.h"
 #include "fuzz.h"
 #include "hard_cases/hard_cases.h"
 #include "program/figures.h"
@@ -27,11 +28,13 @@ struct TrialRequest {
     std::filesystem::path out = "out/hard_cases"; // for what the fuzzer finds
     std::filesystem::path json;
     std::filesystem::path csv;
-    std::string tree;           // of the case's mesh
-    std::filesystem::path mesh; // for that of the case
+    std::string tree;            // of the case's mesh
+    std::filesystem::path mesh;  // for that of the case
+    std::filesystem::path suite; // the folder of the conformance suite
 };
 
 constexpr int rays_of_the_long_form = 10000000;
+constexpr int rays_of_the_small_suite = 500;
 
 void list_trials() {
     for (const Trial& trial : all_trials()) {
@@ -102,6 +105,12 @@ Numbers numbers_of(std::span<const TrialResult> results) {
 
 // Throws Error with exit code 1 where a promise is broken.
 void run_trials(const TrialRequest& request) {
+    if (!request.suite.empty()) {
+        write_conformance_suite(
+            request.suite,
+            {request.rays == 0 ? rays_of_the_small_suite : request.rays, request.seed});
+        return;
+    }
     const std::vector<Trial> trials = chosen_trials(request);
     std::unique_ptr<Context> context;
     std::unique_ptr<GpuMethods> gpu;
@@ -168,6 +177,9 @@ int main(int argc, char** argv) {
     options.output_file("--csv", request.csv, "a file for the rows of the table");
     options.output_file("--mesh", request.mesh,
                         "write the mesh of --case to this OBJ file, and try nothing");
+    options.output_folder("--suite", request.suite,
+                          "write the conformance suite into this folder, and try nothing "
+                          "(docs/conformance)");
     options.text("--tree", request.tree,
                  "try the walks through the tree of this file, which another program built over "
                  "the mesh of --case (docs/tree_files.md)");
@@ -178,5 +190,7 @@ int main(int argc, char** argv) {
         }
     });
     options.excludes("--fuzz", {"--json", "--csv", "--mesh", "--tree"});
+    options.excludes("--suite",
+                     {"--case", "--long", "--fuzz", "--json", "--csv", "--mesh", "--tree"});
     return options.run(argc, argv, [&] { run_trials(request); });
 }

@@ -1,6 +1,9 @@
 #include "hard_cases/aimed_rays.h"
 
+#include <glm/vec2.hpp>
+
 #include <array>
+#include <cmath>
 
 namespace raysteps {
 
@@ -189,6 +192,35 @@ std::vector<AimedBox> rays_at_corners_of_any_box(RandomNumbers& numbers, int cou
         }
         const glm::vec3 origin = exact_point(numbers);
         aimed.push_back({{origin, corner - origin, 0.0f, no_end}, box, true});
+    }
+    return aimed;
+}
+
+namespace {
+
+// The box begins at x and ends at y, and is wide elsewhere.
+AimedBox touched(const glm::vec2& origin, const glm::vec2& direction, float x, float y) {
+    return {{glm::vec3(origin, 0.0f), glm::vec3(direction, 0.0f), 0.0f, no_end},
+            {{x, -8.0f, -8.0f}, {8.0f, y, 8.0f}},
+            true};
+}
+
+} // namespace
+
+std::vector<AimedBox> rays_that_touch_a_box(RandomNumbers& numbers, int count) {
+    std::vector<AimedBox> aimed{touched({-0x1.000faep-24f, -0x1.9dd1d6p-25f},
+                                        {0x1.ffffd2p-1f, 0x1.ffe0a8p-1f}, 0x1.35ba44p+0f,
+                                        0x1.35a76ap+0f)};
+    while (static_cast<int>(aimed.size()) < count) {
+        // Of these, every operation of the test is rounded by as much as can be.
+        const glm::vec2 origin = -0x1p-24f * glm::vec2(numbers.in_cube() + 1.0f);
+        const glm::vec2 direction = 1.0f - 0.001f * glm::vec2(0.5f * numbers.in_cube() + 0.5f);
+        const float x = 1.0f + 0.25f * numbers.unit();
+        // In double this is off by far less than a float's step.
+        const glm::dvec2 from(origin);
+        const glm::dvec2 along(direction);
+        const double y = from.y + (static_cast<double>(x) - from.x) / along.x * along.y;
+        aimed.push_back(touched(origin, direction, x, std::nextafter(static_cast<float>(y), 2.0f)));
     }
     return aimed;
 }

@@ -196,6 +196,11 @@ std::vector<AimedBox> rays_in_sides_of_a_box();
 // of 2^-9 between -2 and 2, so the rays are exact (B2).
 std::vector<AimedBox> rays_at_corners_of_any_box(RandomNumbers& numbers, int count);
 
+// Boxes and rays that touch them, in one point or nearly so: where the ray comes to the first plane
+// along x, it leaves by the last one along y, exactly, or less than a float later (B2). The first
+// one is a box that room for 2 units in the last place does not save.
+std::vector<AimedBox> rays_that_touch_a_box(RandomNumbers& numbers, int count);
+
 // A unit box at an offset of a million and rays that pass its corner (B3).
 std::vector<AimedBox> rays_far_from_zero();
 

@@ -12,34 +12,7 @@ namespace raysteps {
 
 namespace {
 
-using Integer3 = std::array<Integer, 3>;
-
-// In units of the smallest float the whole problem is one of integers, and rationals appear only
-// where t, u and v are divided.
 constexpr int unit_exponent = -149;
-
-Integer3 point_in_units(const glm::vec3& point) {
-    return {in_units(point.x), in_units(point.y), in_units(point.z)};
-}
-
-Integer3 difference(const Integer3& a, const Integer3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Integer3 cross(const Integer3& a, const Integer3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Integer dot(const Integer3& a, const Integer3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Fraction with_positive_denominator(const Integer& numerator, const Integer& denominator) {
-    if (denominator < 0) {
-        return {-numerator, -denominator};
-    }
-    return {numerator, denominator};
-}
 
 // Rays may begin or end at infinity.
 bool lies_within(const Fraction& t, float t_min, float t_max) {
@@ -52,6 +25,13 @@ bool lies_within(const Fraction& t, float t_min, float t_max) {
 }
 
 } // namespace
+
+Fraction with_positive_denominator(const Integer& numerator, const Integer& denominator) {
+    if (denominator < 0) {
+        return {-numerator, -denominator};
+    }
+    return {numerator, denominator};
+}
 
 Integer in_units(float value) {
     int exponent = 0;

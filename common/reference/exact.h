@@ -2,8 +2,8 @@
 
 #include "basics/box.h"
 #include "basics/ray.h"
+#include "reference/integer3.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -12,16 +12,14 @@
 
 namespace raysteps {
 
-using Integer = boost::multiprecision::cpp_int;
-
 // A rational number that is never reduced; the denominator is positive.
 struct Fraction {
     Integer numerator = 0;
     Integer denominator = 1;
 };
 
-// The float, which is finite, in units of 2^-149, the smallest one: a whole number.
-Integer in_units(float value);
+// The fraction with its denominator above zero.
+Fraction with_positive_denominator(const Integer& numerator, const Integer& denominator);
 
 // Whether a < b.
 bool is_less(const Fraction& a, const Fraction& b);

@@ -20,16 +20,16 @@ def say(text):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="book", description="The book of Raysteps.")
-    parser.add_argument("command", choices=("figures", "site", "serve"))
-    parser.add_argument("--build", type=Path, default=ROOT / "build" / "default",
-                        help="the build folder that has the programs")
-    parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book",
-                        help="the folder in which the book is made")
-    parser.add_argument("--all", action="store_true", help="figures that take minutes as well")
+    parser = argparse.ArgumentParser(prog="./run.sh book", usage="./run.sh book [--port PORT | --pdf | --zip]",
+                                     description="Makes the book, and serves it on this machine (127.0.0.1).")
+    # The first argument, --build, --store and --all are the build system's.
+    parser.add_argument("command", choices=("figures", "site", "serve"), help=argparse.SUPPRESS)
+    parser.add_argument("--build", type=Path, default=ROOT / "build" / "default", help=argparse.SUPPRESS)
+    parser.add_argument("--store", type=Path, default=ROOT / "build" / "default" / "book", help=argparse.SUPPRESS)
+    parser.add_argument("--all", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--port", type=int, default=8000, help="where to serve it (8000)")
     parser.add_argument("--pdf", action="store_true", help="serve nothing: print the book into one file")
     parser.add_argument("--zip", action="store_true", help="serve nothing: pack the book and the playground into one file")
-    parser.add_argument("--port", type=int, default=8000, help="where to serve it")
     return parser
 
 

@@ -10,6 +10,8 @@ from .own import named_as_the_person_knows, overlay, place_of, read_own
 from .witness import complaint
 
 PASSED, FAILED, NOT_STARTED, MISSING = "passed", "failed", "not started", "missing"
+RIGHT_HERE = "right here"  # a part with a mistake, at one ray
+FINE = (PASSED, NOT_STARTED, RIGHT_HERE)
 PICTURE_WAITS = "a checkpoint before it is wrong"
 RAY_BY_RAY = ("checkpoint", "function")  # what asks each ray, or its eight numbers, by itself
 STATES = {"compile": "does not compile", "crash": "crashed", "time": "stopped", "machine": "failed"}
@@ -36,8 +38,10 @@ def _is_picture(question):
 
 def _asked(exercise, rays):
     """The checkpoints but for the picture, and their questions; with the given rays (as bits)
-    instead of their own where there are some."""
+    instead of their own where there are some. What is hunted shows at the first one: to others, a ray
+    may be other numbers."""
     checkpoints = [c for c in exercise.checkpoints if not _is_picture(c.question)]
+    checkpoints = checkpoints[:1] if exercise.plants and rays is not None else checkpoints
     questions = [dict(checkpoint.question) for checkpoint in checkpoints]
     for question in questions if rays is not None else []:
         if question["kind"] in RAY_BY_RAY:
@@ -168,9 +172,10 @@ def _compare_pictures(engine, result, own, ask, store):
         result.right.append(checkpoint.name)
 
 
-def check(engine, exercise, folder, rays=None, store=None, is_shown=False):
+def check(engine, exercise, folder, rays=None, store=None, is_shown=False, seed=None):
     """The result for one exercise of a workbook. Pictures are compared where they have a place,
-    `store`; after a wrong checkpoint only where they are to be shown."""
+    `store`; after a wrong checkpoint only where they are to be shown. Where there is a seed, what is
+    hunted has to be its mistake."""
     result = Result(exercise, PASSED)
     if not (Path(folder) / exercise.file).is_file():
         result.state = MISSING
@@ -180,21 +185,31 @@ def check(engine, exercise, folder, rays=None, store=None, is_shown=False):
     except CourseError as error:
         result.state, result.message = FAILED, str(error)
         return result
-    tries_a_ray = exercise.plants and rays is not None  # of the mistake that is hunted
-    if own.is_stub and not tries_a_ray:
+    if exercise.plants and rays is not None:
+        return _try_a_ray(engine, exercise, own, rays)
+    if own.is_stub:
         result.state = NOT_STARTED
         return result
-    if exercise.plants and rays is None:
-        return _judge_hunt(engine, exercise, own, folder)
+    if exercise.plants:
+        return _judge_hunt(engine, exercise, own, folder, seed)
     return judge(engine, exercise, own, rays, store, is_shown)
 
 
-def _judge_hunt(engine, exercise, own, folder):
+def _try_a_ray(engine, exercise, own, rays):
+    """Whether what is hunted shows with that ray."""
+    result = judge(engine, exercise, own, rays)
+    if result.state == PASSED:
+        result.state = RIGHT_HERE
+        result.message = f"no {exercise.hunted} here: with this ray your copy does what it should."
+    return result
+
+
+def _judge_hunt(engine, exercise, own, folder, seed):
     """The witness, then the part. Where the part is wrong is what the person is to find: a check says
     no ray and no picture."""
     code = marks.regions((Path(folder) / exercise.file).read_text(errors="replace"),
                          exercise.file)[exercise.number].code
-    wrong = complaint(engine, exercise, code, ask_own)
+    wrong = complaint(engine, exercise, code, ask_own, seed)
     if wrong:
         return Result(exercise, FAILED, wrong, outside=own.outside)
     result = judge(engine, exercise, own)
@@ -220,7 +235,7 @@ def judge(engine, exercise, own, rays=None, store=None, is_shown=False):
         for asked in _rounds(engine, exercise, len(questions)):
             answers = ask(questions[asked])
             if isinstance(answers, engines.Failure):
-                if not exercise.is_shader:
+                if not exercise.is_shader and engine.companions is None:
                     _find_failure(engine, result, ask, checkpoints, questions, reference)
                 return _failed(result, answers, own)
             _compare_all(result, answers, reference[asked], checkpoints[asked], rays is None)

@@ -10,12 +10,11 @@ import time
 from pathlib import Path
 
 from . import bubblewrap, check, class_report, engine as engines, exercises as catalog, formulas, grade
-from . import headers, report, submission, verify, view as viewer, workbook
+from . import headers, hunt, report, submission, verify, view as viewer, witness, workbook
 from .errors import CHECK_FAILED, DONE, WRONG_INPUT, CourseError, MachineError
 from .own import overlay, read_own
 
 WORKBOOK = catalog.ROOT / "workbook"
-FINE = (check.PASSED, check.NOT_STARTED)
 
 
 def _print_json(value):
@@ -39,9 +38,18 @@ def _engine(options, exercises):
     return engine
 
 
+def _seed(options, exercises):
+    """Of what is hunted."""
+    if options.student and options.seed is None:
+        raise CourseError("--student wants --seed too, which your teacher tells.")
+    if options.seed is None:
+        return workbook.seed_of(options.workbook, exercises)
+    return hunt.seed_of(options.student, options.seed) if options.student else options.seed
+
+
 def start(options):
-    seed = workbook.new_seed() if options.seed is None else options.seed
-    made = workbook.start(options.workbook, catalog.load(), seed)
+    exercises = catalog.load()
+    made = workbook.start(options.workbook, exercises, _seed(options, exercises))
     if options.json:
         _print_json({"made": made})
         return DONE
@@ -74,32 +82,29 @@ def list_all(options):
     return DONE
 
 
-def _given_ray(options):
+def _given_ray(options, engine, exercise):
     if options.ray is None:
         return None
-    try:
-        return [catalog.ray_bits([float(word) for word in options.ray.split(",")])]
-    except ValueError as error:
-        raise CourseError(f"--ray {options.ray}: {error}. Give six numbers, or eight, with commas "
-                          "between them.") from error
+    ray, _ = witness.place_in(engine, exercise, options.ray, f"--ray {options.ray}")
+    return [ray]
 
 
 def _check_once(options, engine):
     chosen = catalog.select(catalog.load(), options.which)
-    rays = _given_ray(options)
     results = []
     for exercise in chosen:
+        rays = _given_ray(options, engine, exercise)
         store = None if rays else engines.STORE / "pictures"
         results.append(check.check(engine, exercise, options.workbook, rays, store))
         if not options.json:
             print(report.as_text(results[-1]), flush=True)
-    if rays is None:
+    if options.ray is None:
         workbook.remember(options.workbook, results)
     if options.json:
         _print_json({"results": [report.as_json(result) for result in results]})
     elif len(results) > 1:
         print(report.summary(results))
-    return DONE if all(result.state in FINE for result in results) else CHECK_FAILED
+    return DONE if all(result.state in check.FINE for result in results) else CHECK_FAILED
 
 
 def _times(options):
@@ -124,7 +129,7 @@ def check_some(options):
 def view(options):
     exercise = catalog.select_one(catalog.load(), options.which)
     engine = _engine(options, [exercise])
-    rays = _given_ray(options)
+    rays = _given_ray(options, engine, exercise)
     if rays:
         words = viewer.given_ray(exercise, rays[0])
         both = viewer.both_walks(engine, exercise, viewer.checkpoint_of_rays(exercise), rays[0],
@@ -135,13 +140,13 @@ def view(options):
     for is_shown in (False, True):  # the picture of what is wrong only where no ray can be shown
         result = check.check(engine, exercise, options.workbook, None, engines.STORE / "pictures",
                              is_shown)
-        if result.state in FINE or viewer.wrong_ray(result):
+        if result.state in check.FINE or viewer.wrong_ray(result):
             break
     print(report.as_text(result), flush=True)
     words = viewer.wrong_ray(result)
     if words is None:
         print(viewer.nothing_to_see(exercise))
-        return DONE if result.state in FINE else CHECK_FAILED
+        return DONE if result.state in check.FINE else CHECK_FAILED
     both = viewer.both_wrong_walks(engine, result, options.workbook)
     print(_what_is_seen(both), flush=True)
     return viewer.open_visualizer(engine, both or words, options.screenshot)
@@ -193,6 +198,7 @@ def show(options):
         _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
                      "file": str(path), "formulas": exercise.formulas, "source": exercise.source,
                      "chapter": exercise.chapter, "includes": headers.of(exercise),
+                     "at_hand": headers.functions(exercise),
                      "checkpoints": [checkpoint.name for checkpoint in exercise.checkpoints]})
         return DONE
     print(f"{exercise.number} {exercise.title}\n\n{exercise.task}\n")
@@ -205,6 +211,8 @@ def show(options):
     print(f"\nfile         {os.path.relpath(path)}{line}")
     for place, words in enumerate(headers.as_text(exercise)):
         print(f"{'' if place else 'headers':<12} {words}")
+    for place, call in enumerate(headers.functions(exercise)):
+        print(f"{'' if place else 'at hand':<12} {call}")
     print(f"lesson       chapters/{exercise.chapter}/README.md")
     print(f"source       {exercise.source}")
     if exercise.checkpoints:
@@ -275,7 +283,7 @@ def _grade_submissions(options):
     paths = [Path(options.one)] if options.one else submission.list_submissions(Path(options.folder))
     grades = []
     for path in paths:
-        grades.append(grade.grade_one(engine, path, chosen))
+        grades.append(grade.grade_one(engine, path, chosen, options.seed, options.student))
         if sys.stderr.isatty():
             print(f"{grades[-1]['submission']}: {grades[-1]['score']} of {grades[-1]['of']}",
                   file=sys.stderr)
@@ -290,6 +298,8 @@ def grade_all(options):
         raise CourseError(f"{options.folder}: there is no such folder.")
     if options.gradescope and not options.one:
         raise CourseError("--gradescope: its format is for one submission. Name it with --one.")
+    if options.student and not options.one:
+        raise CourseError("--student: names one submission. Name its file with --one.")
     if options.jobs_file:
         if not options.folder:
             raise CourseError("--jobs-file wants a folder of submissions.")
@@ -298,6 +308,7 @@ def grade_all(options):
         settings += ["--build", Path(options.build).resolve()] if options.build else []
         more = ["--only", options.only] if options.only else []
         more += ["--without-sandbox"] if options.without_sandbox else []
+        more += ["--seed", str(options.seed)] if options.seed is not None else []
         count = grade.write_jobs(options.jobs_file, Path(options.folder), Path(options.results),
                                  settings, more)
         print(f"wrote {options.jobs_file}, with {count} commands; their results go to "
@@ -324,7 +335,7 @@ def grade_all(options):
 
 
 def verify_all(options):
-    chosen = catalog.select(catalog.load(), options.which)
+    chosen = catalog.select(catalog.load(with_answers=True), options.which)
     engine = _engine(options, chosen)
 
     def say(finding):
@@ -370,12 +381,13 @@ def _parser():
     one = {"metavar": "EXERCISE", "help": "as 4.2"}
     command = add("start", start, "make the workbook; what is there stays")
     command.add_argument("--seed", type=int, help="chooses what is to be hunted; else by chance")
+    command.add_argument("--student", metavar="NAME", help="with a seed that a teacher gave to all: yours is another")
     add("list", list_all, "the exercises, and how far you are", **some)
     command = add("check", check_some, "check exercises", **some)
     command.add_argument("--watch", action="store_true", help="check again at each change")
-    command.add_argument("--ray", help="only this ray: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
+    command.add_argument("--ray", help="only this ray: ox,oy,oz,dx,dy,dz[,t_min,t_max], or `pixel 33,11`")
     command = add("view", view, "the visualizer at the first wrong ray of an exercise", **one)
-    command.add_argument("--ray", help="this ray instead: ox,oy,oz,dx,dy,dz[,t_min,t_max]")
+    command.add_argument("--ray", help="this ray instead: ox,oy,oz,dx,dy,dz[,t_min,t_max], or `pixel 33,11`")
     command.add_argument("--screenshot", metavar="FILE", help="a picture instead of a window")
     command = add("run", run_program, "a program with your lines of one exercise", **one)
     command.add_argument("program", metavar="PROGRAM", help="as 03 or hard_cases")
@@ -396,6 +408,9 @@ def _parser():
     command.add_argument("--json", help="a file for everything that was found")
     command.add_argument("--only", metavar="CHAPTER|EXERCISE", help="as 04 or 4.2; else all")
     command.add_argument("--one", metavar="SUBMISSION", help="grade this one")
+    command.add_argument("--student", metavar="NAME", help="with --one: whose it is, where its file has another name")
+    command.add_argument("--seed", type=int, help="the one that students gave to `start --student`: who has "
+                                                  "hunted another mistake fails")
     command.add_argument("--jobs-file", help="write a command a submission, and grade nothing")
     command.add_argument("--results", default="results", help="the folder for --jobs-file's results")
     command.add_argument("--merge", nargs="+", metavar="JSON", help="join results of --json")

@@ -72,6 +72,8 @@ def first_wrong(answer, reference, checkpoint):
     checkpoint = _observed_too(checkpoint)
     for step, (found, wanted) in enumerate(zip(answer.steps, reference.steps), 1):
         for index, (one, other) in enumerate(zip(found, wanted)):
+            if one == other:
+                continue  # to the bit
             values = judged(values_of(other, checkpoint.values), values_of(one, checkpoint.values),
                             checkpoint)
             if not all(value["right"] for value in values):

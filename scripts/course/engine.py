@@ -78,10 +78,10 @@ def ensure_programs(engine, programs):
     print("course: building what checks, which takes a minute or more the first time (see "
           "build/course/build.log)", file=sys.stderr)
     STORE.mkdir(parents=True, exist_ok=True)
-    tests = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF"]
+    first = [] if (BUILD / "CMakeCache.txt").exists() else ["-DRAYSTEPS_TESTS=OFF", "-DRAYSTEPS_PRECOMPILED=ON"]
     targets = [program.name for program in old]
     with locked(STORE / "build.lock"), open(STORE / "build.log", "w") as log:
-        for command in (["cmake", "--preset", "default", *tests],
+        for command in (["cmake", "--preset", "default", *first],
                         ["cmake", "--build", "--preset", "default", "--target", *targets]):
             if _run_with_progress(command, log) != 0:
                 raise MachineError(f"`{' '.join(command)}` failed. Read build/course/build.log.")
@@ -126,8 +126,10 @@ def _shaders(chapter, overlay):
 
 
 def _environment(scratch="/tmp"):
+    """Shaders are asked about few rays, so the software renderer translates them faster than it would make
+    them fast."""
     kept = {key: os.environ[key] for key in ("PATH", "LANG", "LD_LIBRARY_PATH") if key in os.environ}
-    return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch)}
+    return {**kept, "HOME": str(scratch), "TMPDIR": str(scratch), "GALLIVM_PERF": "nopt"}
 
 
 class Companions:
@@ -137,7 +139,8 @@ class Companions:
     def __init__(self, engine):
         self._folder = tempfile.TemporaryDirectory(prefix="raysteps_course_")
         self._engine, self._mine, self._all = engine, threading.local(), []
-        self.objects = {}  # of C++ that was compiled ahead, by its text
+        self.references = {}  # what the project's own sources answer, by question
+        self.programs = {}  # of C++ that was compiled ahead, by its text: the program, and its library's folder
 
     def ask(self, job):
         if not hasattr(self._mine, "program"):
@@ -151,13 +154,26 @@ class Companions:
 
     def compile(self, file, texts):
         """Compiles versions of one C++ source ahead, in one go."""
-        compile_, _, _, made = _build_steps(self._engine, file)
+        build = self._engine.build
+        compile_, link, archive, made = _build_steps(self._engine, file)
         folder = Path(self._folder.name) / "versions" / file
 
         def command(source, object_file):
-            return ["env", "-C", self._engine.build, *_with(_for_own(compile_), o=object_file, c=source)]
+            return ["env", "-C", build, *_with([*_for_own(compile_), "-fPIC"], o=object_file, c=source)]
 
-        self.objects.update(together.compile_together(command, texts, self._engine.build / made, folder))
+        kept = [word for word in link if word.startswith("-fsanitize")]
+        # A library's own functions come first: those of the standard library with their assertions too. What
+        # it wants of others the program has: to look for that once more for each takes the linker most of its time.
+        library = [link[0], "-shared", "-nostdlib", "-Wl,--defsym,__dso_handle=0", f"-Wl,-Bsymbolic,-soname,{together.NAME}", *kept]
+        libraries = together.compile_together(command, library, texts, build / made, folder)
+        programs, others = {}, _without_own(build / archive, made, folder)
+        for text, own in libraries.items():
+            unit = own.parents[1]
+            if unit not in programs:
+                programs[unit] = unit / "course_builders"
+                words = [*_linked_with(link, archive, own, others, programs[unit]), "-Wl,--export-dynamic"]
+                subprocess.run(words, cwd=build, check=True)
+            self.programs[text] = (programs[unit], own.parent)
 
     def close(self):
         for program in self._all:
@@ -251,9 +267,18 @@ def _state_of_sources(program):
 
 def ask_reference(engine, program, chapter, questions):
     """The answers of the project's own sources, kept until those change."""
-    key = json.dumps(questions, sort_keys=True) + chapter + _state_of_sources(program)
+    asked = json.dumps(questions, sort_keys=True) + chapter
+    known = engine.companions.references if engine.companions else {}
+    if (program, asked) not in known:
+        known[program, asked] = _reference(engine, program, chapter, questions, asked)
+    return known[program, asked]
+
+
+def _reference(engine, program, chapter, questions, asked):
+    key = asked + _state_of_sources(program)
     kept = STORE / "reference" / (hashlib.sha256(key.encode()).hexdigest() + ".json")
-    if isinstance(_read_answers(kept, len(questions)), Failure):  # is not there, or damaged
+    answers = _read_answers(kept, len(questions))
+    if isinstance(answers, Failure):  # is not there, or damaged
         answers = ask(engine, program, chapter, questions)
         if isinstance(answers, Failure):
             raise MachineError(f"the project's own sources give no answer: {answers.message}")
@@ -262,7 +287,7 @@ def ask_reference(engine, program, chapter, questions):
         with tempfile.NamedTemporaryFile("w", dir=kept.parent, delete=False) as partial:
             json.dump({"answers": [vars(answer) for answer in answers]}, partial)
         Path(partial.name).rename(kept)
-    return _read_answers(kept, len(questions))
+    return answers
 
 
 def reference_picture(engine, chapter, question):
@@ -332,6 +357,12 @@ def _without_own(archive, made, folder):
     return others
 
 
+def _linked_with(link, archive, own, others, program):
+    """The command that links the program with a person's object in the place of the project's."""
+    place = link.index(archive)
+    return _with([*link[:place], str(own), str(others), *link[place + 1:]], o=program)
+
+
 def _with(words, **replaced):
     """The command with other words behind its options."""
     words = list(words)
@@ -347,22 +378,22 @@ def _for_own(words):
     if "-MD" in words:  # the list of headers is the project's own
         first = words.index("-MD")
         del words[first:first + 5]
+    if "-Winvalid-pch" in words:  # headers that were read ahead, for other options
+        first = words.index("-Winvalid-pch")
+        del words[first:first + 3]
     return [*words, "-O1", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"]
 
 
 def build_with(engine, file, overlay):
     """course_builders with this one source of the overlay: only that is compiled, and takes the
     place of its namesake among the project's objects. Returns the program's path or a Failure."""
-    compile_, link, archive, made = _build_steps(engine, file)
     own, program = overlay / "own.o", overlay / "course_builders"
-    commands = [_with(_for_own(compile_), o=own, c=overlay / file)]
-    if engine.companions:
-        ahead = engine.companions.objects.get((overlay / file).read_text())
-        own, commands = (ahead, []) if ahead else (own, commands)
-    place = link.index(archive)
-    link[place:place + 1] = [str(own), str(_without_own(engine.build / archive, made, overlay))]
-    link = _with(link, o=program)
-    for command in (*commands, link):
+    ahead = engine.companions.programs.get((overlay / file).read_text()) if engine.companions else None
+    if ahead:
+        return _called_with(*ahead, program)
+    compile_, link, archive, made = _build_steps(engine, file)
+    link = _linked_with(link, archive, own, _without_own(engine.build / archive, made, overlay), program)
+    for command in (_with(_for_own(compile_), o=own, c=overlay / file), link):
         limits = engine.build_limits
         if engine.is_enclosed:
             seen = [engine.build] if command is link else _headers(engine, command)
@@ -376,6 +407,14 @@ def build_with(engine, file, overlay):
         if outcome.code != 0:
             return Failure("compile", _compiler_messages(outcome.output + outcome.errors))
     return program
+
+
+def _called_with(program, folder, script):
+    """A script that calls the program with the library of that folder."""
+    script.write_text(f'#!/bin/sh\nLD_LIBRARY_PATH={shlex.quote(str(folder))}:$LD_LIBRARY_PATH '
+                      f'exec {shlex.quote(str(program))} "$@"\n')
+    script.chmod(0o755)
+    return script
 
 
 def _compiler_messages(text):

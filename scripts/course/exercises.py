@@ -1,6 +1,7 @@
 """The exercises, as the files chapters/*/exercises.toml and the marks in the sources have them."""
 
 import struct
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -49,8 +50,8 @@ class Exercise:
     hints: list
     checkpoints: list
     mutations: list
-    styles: list = field(default_factory=list)  # right answers of another form: {name, code}
     plants: list = field(default_factory=list)  # of a hunt: mistakes, of which a seed chooses one
+    hunted: str = "mistake"  # what they show as: a spot, a leak
     minutes: int = 20  # that it takes
     experiment: dict = field(default_factory=dict)  # {arguments, figure, tolerance}: what is measured
     replaces: str = ""  # the shader that the file stands for in a check, where that is another
@@ -117,8 +118,8 @@ def _exercise(table, chapter, place):
     checkpoints = [_checkpoint(entry, place) for entry in table.get("checkpoint", [])]
     return Exercise(table["number"], table["title"], table["file"], chapter, table["task"].strip(),
                     table.get("formulas", []), table.get("source", ""), table["hints"],
-                    checkpoints, table.get("mutation", []), table.get("style", []),
-                    table.get("plant", []), table.get("minutes", 20), table.get("experiment", {}),
+                    checkpoints, table.get("mutation", []), table.get("plant", []),
+                    table.get("hunted", "mistake"), table.get("minutes", 20), table.get("experiment", {}),
                     table.get("replaces", ""))
 
 
@@ -139,8 +140,9 @@ def _answers(path, place):
     return by_number
 
 
-def load(root=ROOT):
-    """All exercises in the order of their numbers, with their regions in the sources."""
+def load(root=ROOT, with_answers=False):
+    """All exercises in the order of their numbers, with their regions in the sources; with what students
+    wrote where that is asked for."""
     exercises, texts = [], {}
     for path in sorted((root / "chapters").glob("[0-9][0-9]_*/exercises.toml")):
         place = path.relative_to(root)
@@ -150,11 +152,17 @@ def load(root=ROOT):
         except (KeyError, tomllib.TOMLDecodeError) as error:
             raise CourseError(f"{place}: {error} is missing or wrong. Write it as in the other "
                               "chapters.") from error
-        answers = _answers(path.with_name("answers.toml"), place.with_name("answers.toml"))
+        answers_place = place.with_name("answers.toml")
+        answers = _answers(root / answers_place, answers_place) if with_answers else {}
         unknown = set(answers) - {exercise.number for exercise in found}
         if unknown:
-            raise CourseError(f"{place.with_name('answers.toml')}: {min(unknown)} is no exercise of "
+            raise CourseError(f"{answers_place}: {min(unknown)} is no exercise of "
                               f"{place}. Put its number right.")
+        chapter, counts = int(path.parent.name[:2]), Counter(exercise.number for exercise in found)
+        for number, count in counts.items():
+            if count > 1 or int(number.split(".")[0]) != chapter:
+                raise CourseError(f"{place}: {number} is there twice, or is none of chapter {chapter}. "
+                                  f"Number them {chapter}.1, {chapter}.2, and so on.")
         for exercise in found:
             exercise.answers = answers.get(exercise.number, [])
             if exercise.file not in texts:

@@ -6,7 +6,7 @@ import shlex
 import tempfile
 from pathlib import Path
 
-from . import report, submission
+from . import hunt, report, submission
 from .check import PASSED, Result, check
 from .errors import CourseError, MachineError
 from .exercises import ROOT
@@ -14,15 +14,18 @@ from .exercises import ROOT
 UNREADABLE, UNKNOWN = "unreadable", "not graded"
 
 
-def grade_one(engine, path, exercises):
+def grade_one(engine, path, exercises, class_seed=None, student=None):
     """{submission, score, of, remarks, exercises: {number: state}, details}. Whatever was handed in,
-    there is a grade: what cannot be read has the score 0, and says why."""
-    grade = {"submission": submission.name_of(path), "score": 0, "of": len(exercises), "remarks": []}
-    with tempfile.TemporaryDirectory(prefix="raysteps_grade_") as name:
-        folder = Path(name)
+    there is a grade: what cannot be read has the score 0, and says why. With the seed of a class, each
+    student has to hunt what it gives; the student's name is the submission's, if no other is told."""
+    name = student or submission.name_of(path)
+    seed = None if class_seed is None else hunt.seed_of(name, class_seed)
+    grade = {"submission": name, "score": 0, "of": len(exercises), "remarks": []}
+    with tempfile.TemporaryDirectory(prefix="raysteps_grade_") as unpacked:
+        folder = Path(unpacked)
         try:
             grade["remarks"] = submission.unpack(path, folder, exercises)
-            results = [_check_one(engine, exercise, folder) for exercise in exercises]
+            results = [_check_one(engine, exercise, folder, seed) for exercise in exercises]
         except CourseError as error:
             grade["remarks"] = [str(error)]
             results = [Result(exercise, UNREADABLE, str(error)) for exercise in exercises]
@@ -32,10 +35,10 @@ def grade_one(engine, path, exercises):
     return grade
 
 
-def _check_one(engine, exercise, folder):
+def _check_one(engine, exercise, folder, seed):
     """Whatever goes wrong with one answer is told at that answer."""
     try:
-        return check(engine, exercise, folder)
+        return check(engine, exercise, folder, seed=seed)
     except MachineError as error:
         return Result(exercise, UNKNOWN, str(error))
     except Exception as error:  # not one of ours: the others' rows must come all the same

@@ -1,13 +1,15 @@
-"""What a person's lines may include, and the fields of the structs that they may meet."""
+"""What a person's lines may include or call, and the fields of the structs that they may meet."""
 
 import re
 
+from . import marks
 from .exercises import ROOT
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 STRUCT = re.compile(r"^struct (\w+)[^;{]*\{\n(.*?)^\}", re.MULTILINE | re.DOTALL)
 FIELD = re.compile(r"^    (?!using|static|friend|return)[\w:<>,& ]*[\w>&] (\w+(?:, \w+)*)(?: = [^;]*|\{[^;]*\})?;",
                    re.MULTILINE)
+FUNCTION = re.compile(r"^(\w+) (\w+)\(([^()]*)\) \{", re.MULTILINE)  # of a shader
 COMMENT = re.compile(r"//[^\n]*")
 
 
@@ -52,6 +54,23 @@ def of(exercise):
             words |= set(re.findall(r"\w+", body))
             found.setdefault(name, {})[struct] = fields(body)
     return found
+
+
+def functions(exercise):
+    """How the functions of other parts are called that a person's shader names, in its comments too: so
+    nobody has to open those files, which may have the solutions of other exercises."""
+    if not exercise.is_shader:
+        return []
+    text = marks.blank((ROOT / exercise.file).read_text(), exercise.file)
+    named, found = set(re.findall(r"(\w+)\(", text)), {}
+    for name in _known_files(exercise):
+        for returned, function, parameters in FUNCTION.findall(_text(ROOT / "shaders" / name)):
+            types = (returned, *(parameter.split()[0] for parameter in parameters.split(",") if parameter))
+            found.setdefault(function, {})[types] = f"{returned} {function}({' '.join(parameters.split())})"
+    own = {function for _, function, _ in FUNCTION.findall(text)}
+    # What parts declare in more than one way depends on the part that is chosen.
+    return sorted(call for function, calls in found.items() if function in named - own and len(calls) == 1
+                  for call in calls.values())
 
 
 def as_text(exercise):

@@ -1,8 +1,21 @@
 """A hunt: a part with a mistake, which the seed of the person's workbook chooses."""
 
+import hashlib
 import re
+import secrets
 
 SEED = re.compile(r"^\s*// seed (\d+)\s*$")
+
+
+def new_seed():
+    """Of four digits, so that a person can say it."""
+    return secrets.randbelow(9000) + 1000
+
+
+def seed_of(student, class_seed):
+    """The seed that a teacher's gives to one student."""
+    digest = hashlib.sha256(f"{class_seed} {student}".encode()).digest()
+    return int.from_bytes(digest[:8], "big") % 9000 + 1000
 
 
 def planted(exercise, seed):

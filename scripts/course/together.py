@@ -1,6 +1,7 @@
 """Compiles many versions of one C++ source as one translation unit: its headers are read once, which
-is most of what a version costs by itself. For the project's own trials (see verify.py), never for what
-was handed in: versions that share a compiler's memory must trust each other."""
+is most of what a version costs by itself. Each version is a shared library, so the program that calls it
+is linked once for all of them. For the project's own trials (see verify.py), never for what was handed
+in: versions that share a compiler's memory must trust each other."""
 
 import re
 import subprocess
@@ -8,7 +9,8 @@ from pathlib import Path
 
 from .exercises import ROOT
 
-MOST_VERSIONS = 24  # in one unit: units compile side by side, and a compiler's memory has an end
+MOST_VERSIONS = 24  # in one unit: a compiler's memory has an end
+NAME = "libown.so"  # of each version's library, in a folder of its own
 
 INCLUDE = re.compile(r"^\s*#\s*include\s*([<\"])(.*?)[>\"].*$", re.MULTILINE)
 
@@ -46,34 +48,36 @@ def _version(text, names, number):
     return body.replace("namespace raysteps {", f"namespace raysteps::version_{number} {{")
 
 
-def _compile_unit(command, texts, names, own, folder):
-    """An object for each text, by the text; none where the unit does not compile."""
+def _compile_unit(command, link, texts, names, own, folder):
+    """A library for each text, by the text; none where the unit does not compile."""
     first = [line for text in texts for line in (match[0] for match in INCLUDE.finditer(text))]
     unit, made = folder / "unit.cpp", folder / "unit.o"
     unit.write_text("\n".join([*dict.fromkeys(first), *(
         _version(text, names, number) for number, text in enumerate(texts))]))
     if subprocess.run(command(unit, made), capture_output=True, check=False).returncode != 0:
         return {}
-    symbols, objects = _symbols(made), {}
+    symbols, libraries = _symbols(made), {}
     for number, text in enumerate(texts):
-        renamed = []
+        named = []
         for name, symbol in symbols.items():
             if name.startswith(f"raysteps::version_{number}::"):
                 known = re.sub(rf"(\w+)_{number}\(", r"\1(", name.replace(f"version_{number}::", "", 1), count=1)
-                renamed += [f"--redefine-sym={symbol}={own[known]}"] if known in own else []
-        objects[text] = folder / f"version_{number}.o"
-        subprocess.run(["objcopy", *renamed, made, objects[text]], check=True)
-    return objects
+                named += [f"-Wl,--defsym,{own[known]}={symbol}"] if known in own else []
+        libraries[text] = folder / f"version_{number}" / NAME
+        libraries[text].parent.mkdir()
+        subprocess.run([*link, made, *named, "-o", libraries[text]], check=True)
+    return libraries
 
 
-def compile_together(command, texts, own_object, folder):
-    """Objects by their texts, in the folder; a text that is missing has to be compiled by itself.
-    `command` gives the words that compile a file into an object; own_object is the project's."""
+def compile_together(command, link, texts, own_object, folder):
+    """Libraries by their texts, in the folder; a text that is missing has to be compiled by itself.
+    `command` gives the words that compile a file into an object, `link` are those that make a library
+    of it; own_object is the project's. All of one unit want the same functions of a program."""
     own = _symbols(own_object)
     names = _names(own)
-    objects, texts = {}, list(dict.fromkeys(texts))
+    libraries, texts = {}, list(dict.fromkeys(texts))
     for first in range(0, len(texts), MOST_VERSIONS):
         place = Path(folder) / str(first)
         place.mkdir(parents=True, exist_ok=True)
-        objects.update(_compile_unit(command, texts[first:first + MOST_VERSIONS], names, own, place))
-    return objects
+        libraries.update(_compile_unit(command, link, texts[first:first + MOST_VERSIONS], names, own, place))
+    return libraries

@@ -79,10 +79,19 @@ def _try(engine, exercise, kind, text, code, expected, store=None):
                    f"{result.state}{where}{step} {result.message}".strip())
 
 
+def unused_in(code):
+    """The variables of the lines that are never used: they would give a planted mistake away."""
+    text = "\n".join(code)
+    return [name for name in re.findall(r"[\w>&] (\w+) =[^=]", text) if len(re.findall(rf"\b{name}\b", text)) == 1]
+
+
 def _hunt(engine, exercise, seed):
     """The planted mistake fails, and the author's witness shows where."""
     plant = exercise.plants[seed]
     stub = hunt.planted(exercise, seed)
+    if unused := unused_in(stub):
+        return Finding(exercise.number, "hunt", plant["name"], False,
+                       f"`{unused[0]}` is not used any more, which gives the mistake away")
     if stub[2:] == exercise.region.code:
         return Finding(exercise.number, "hunt", plant["name"], False,
                        f"`{plant['find']}` does not stand in the part")
@@ -103,9 +112,6 @@ def _trials(engine, exercise, store):
         yield lambda seed=seed: _hunt(engine, exercise, seed)
     if not exercise.plants:
         yield lambda: _try(engine, exercise, "blank", "the blank fails", region.stub, (FAILED,))
-    for style in exercise.styles:
-        yield lambda style=style: _try(engine, exercise, "style", style["name"],
-                                       _code_of(style), (PASSED,), store)
     for mutation in exercise.mutations:
         code = mutated(exercise, mutation)
         if code is None:
@@ -140,7 +146,7 @@ def _compile_ahead(engine, chosen, exercises):
             codes = [exercise.region.code, exercise.region.stub,
                      *(mutated(exercise, mutation) for mutation in exercise.mutations),
                      *(hunt.planted(exercise, seed) for seed in range(len(exercise.plants))),
-                     *(_code_of(answer) for answer in exercise.answers + exercise.styles)]
+                     *(_code_of(answer) for answer in exercise.answers)]
             files = [with_code(exercise, code) for code in codes if code is not None]
             files += [own for _, own in _neighbour_files(exercise, exercises)]
             texts.setdefault(exercise.file, []).extend(

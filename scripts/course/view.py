@@ -42,14 +42,24 @@ def wrong_ray(result):
     if not pixel:
         return None
     picture = next(c for c in exercise.checkpoints if c.question["kind"] == "picture")
-    width, height = (picture.question.get(*side) for side in (("width", 64), ("height", 48)))
+    width, height = size_of(picture.question)
     return [*words_of(picture, exercise.chapter), "--size", f"{width}x{height}",
             f"--pixel={pixel[0]},{pixel[1]}"]
 
 
+def size_of(question):
+    return question.get("width", 64), question.get("height", 48)
+
+
+def question_of_pixels(exercise):
+    """In whose scene a pixel lies: that of the picture, else the first one; None where there is none."""
+    questions = [checkpoint.question for checkpoint in exercise.checkpoints if "scene" in checkpoint.question]
+    return next((one for one in questions if one["kind"] == "picture"), questions[0] if questions else None)
+
+
 def ray_of_pixel(engine, exercise, question, pixel):
     """The ray of a pixel of the scene's picture, counted from the top left, as bits."""
-    width, height = question.get("width", 64), question.get("height", 48)
+    width, height = size_of(question)
     asked = {"kind": "rays", "subject": "direct", "scene": question["scene"], "width": width,
              "height": height}
     rays = engines.ask_reference(engine, engine.shaders_program(), exercise.chapter, [asked])[0]

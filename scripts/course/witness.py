@@ -8,10 +8,33 @@ from .errors import CourseError
 from .exercises import ROOT, ray_bits
 from .hunt import planted, seed_in
 from .own import Own, overlay
-from .view import ray_of_pixel
+from .view import question_of_pixels, ray_of_pixel, size_of
 
-WITNESS = re.compile(r"^\s*// witness:\s*(?P<pixel>pixel\s+)?(?P<numbers>[-+.\w,\s]*?)"
-                     r"(?:,?\s*\bstep\s+(?P<step>\d+))?\s*$")
+WITNESS = re.compile(r"^\s*// witness:\s*(?P<place>.*?)\s*$")
+PLACE = re.compile(r"(?P<pixel>pixel\s+)?(?P<numbers>.*?)(?:,?\s*\bstep\s+(?P<step>\d+))?\s*")
+
+
+def place_in(engine, exercise, text, name):
+    """The ray as bits, and the step, of words such as `0,0,5,0,0,-1 step 2` or `pixel 33,11`. Raises
+    CourseError, which names where they stand, if they are none."""
+    found = PLACE.fullmatch(text)
+    step = int(found["step"] or 1)
+    try:
+        if not found["pixel"]:
+            return ray_bits([float(word) for word in found["numbers"].split(",")]), step
+        pixel = [int(word) for word in found["numbers"].split(",")]
+    except ValueError as error:
+        raise CourseError(f"{name} cannot be read: {error}. Write six numbers, or eight, with commas "
+                          "between them.") from error
+    question = question_of_pixels(exercise)
+    if question is None:
+        raise CourseError(f"{name}: {exercise.number} has no scene, and so no pixel. Write a ray: the task "
+                          "says how.")
+    width, height = size_of(question)
+    if len(pixel) != 2 or not (0 <= pixel[0] < width and 0 <= pixel[1] < height):
+        raise CourseError(f"{name} names a pixel that is not in a picture of {width} x {height}. Write its "
+                          "column and row, as in `pixel 33,11`.")
+    return ray_of_pixel(engine, exercise, question, pixel), step
 
 
 def witness_in(engine, exercise, code):
@@ -19,21 +42,10 @@ def witness_in(engine, exercise, code):
     found = next((match for match in map(WITNESS.match, code) if match), None)
     if found is None:
         raise CourseError("the line `// witness:` is gone. Put it back below `//# exercise`.")
-    if not found["numbers"]:
+    if not found["place"]:
         raise CourseError("the line `// witness:` is empty. Write a ray or a pixel there where the part "
                           "goes wrong: the task says how.")
-    step = int(found["step"] or 1)
-    try:
-        if not found["pixel"]:
-            return ray_bits([float(word) for word in found["numbers"].split(",")]), step
-        pixel = [int(word) for word in found["numbers"].split(",")]
-    except ValueError as error:
-        raise CourseError(f"the line `// witness:` cannot be read: {error}. Write six numbers, or eight, "
-                          "with commas between them.") from error
-    if "scene" not in exercise.checkpoints[0].question or len(pixel) != 2 or not (0 <= pixel[0] < 64 and 0 <= pixel[1] < 48):
-        raise CourseError("the witness names a pixel that is not in a picture of 64 x 48. Write its column "
-                          "and row, as in `pixel 33,11`.")
-    return ray_of_pixel(engine, exercise, exercise.checkpoints[0].question, pixel), step
+    return place_in(engine, exercise, found["place"], "the line `// witness:`")
 
 
 def with_code(exercise, code):
@@ -44,12 +56,15 @@ def with_code(exercise, code):
     return Own(composed, False, exercise.file)
 
 
-def complaint(engine, exercise, code, ask_own):
+def complaint(engine, exercise, code, ask_own, given_seed=None):
     """What is wrong with the witness, in words; empty where it is right. `ask_own` asks a folder's
-    text."""
+    text. The seed has to be the one that was given to the student, where one was."""
     seed = seed_in(code)
     if seed is None:
         return "the line `// seed ...` is gone. Put it back, or let ./course reset do it."
+    if given_seed not in (None, seed):
+        return (f"the line `// seed {seed}` is not this student's, whose seed is {given_seed}: what was hunted "
+                "is another mistake.")
     try:
         ray, step = witness_in(engine, exercise, code)
     except CourseError as error:

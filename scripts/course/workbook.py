@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import secrets
 import shutil
 
 from . import hunt, marks
@@ -16,16 +15,17 @@ def files_of(exercises):
     return sorted({exercise.file for exercise in exercises})
 
 
-def new_seed():
-    """Of four digits, so that a person can say it."""
-    return secrets.randbelow(9000) + 1000
-
-
 def _blank(file, exercises, seed):
     """The project's file with the stub of each exercise in the place of its solution."""
     stubs = {exercise.number: hunt.stub_of(exercise, seed=seed) for exercise in exercises
              if exercise.file == file}
     return marks.with_code((ROOT / file).read_text(), file, stubs)
+
+
+def seed_of(folder, exercises):
+    """That of any hunt in it; a new one where there is none."""
+    seeds = (hunt.seed_in(code_of(folder, exercise) or ()) for exercise in exercises if exercise.plants)
+    return next((seed for seed in seeds if seed is not None), None) or hunt.new_seed()
 
 
 def start(folder, exercises, seed):
@@ -103,8 +103,9 @@ def reset(folder, exercise):
     """Puts the stub back. Where that changes the file, it is kept as it was beside it: returns the
     copy's path."""
     path = folder / exercise.file
-    seed = new_seed()
-    text = _blank(exercise.file, load(), seed)
+    exercises = load()
+    seed = seed_of(folder, exercises)
+    text = _blank(exercise.file, exercises, seed)
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)

@@ -2,8 +2,8 @@
 
     ./run.sh shrink --scene model.obj --rays bad.csv --command 'engine %m %r %h'
 
-The command is called again and again with other files: %m is an OBJ file, %r a file of one ray (.f32), and %h
-where it writes the hit (.f32). `check --judge` says whether the hit is right.
+The command is called again and again with other files: %m is an OBJ file, %t the same triangles as 9 float32 each,
+%r a file of one ray (.f32), and %h where it writes the hit (.f32). `check --judge` says whether the hit is right.
 """
 
 import argparse
@@ -22,7 +22,7 @@ def arguments():
     parser.add_argument("--scene", default="bunny", help="the scene, as in all programs")
     parser.add_argument("--rays", type=Path, required=True, help="rays that go wrong (.csv or .f32)")
     parser.add_argument("--ray-number", type=int, default=None, help="which of them; by default the first that goes wrong")
-    parser.add_argument("--command", required=True, help="the engine: %%m a model, %%r a ray, %%h the file for its hit")
+    parser.add_argument("--command", required=True, help="the engine: %%m a model, %%t its triangles, %%r a ray, %%h the file for its hit")
     parser.add_argument("--seconds", type=float, default=60.0, help="the most that one call may take (60)")
     parser.add_argument("--out", type=Path, default=Path("out/shrink"), help="the folder for what is found")
     parser.add_argument("--check", type=Path, required=True, help=argparse.SUPPRESS)

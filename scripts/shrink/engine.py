@@ -2,11 +2,40 @@
 
 import json
 import os
+import resource
 import shlex
 import signal
 import subprocess
 
-from scene import obj_of, write_ray
+from scene import obj_of, write_floats
+
+
+def call(command, files, seconds, memory=None):
+    """Runs an engine with the names of these files in its command line; empty, or how it failed: `timeout`, `crash`
+    (it was ended by a signal), or `exit N`. The memory is in bytes, of each process."""
+    words = shlex.split(command)
+    for mark, path in files.items():
+        words = [word.replace(mark, str(path)) for word in words]
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        if memory:
+            resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+
+    # In a group of its own, so that what it started ends with it.
+    with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          start_new_session=True, preexec_fn=limit) as process:
+        try:
+            process.wait(timeout=seconds)
+        except BaseException as error:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            if isinstance(error, subprocess.TimeoutExpired):
+                return "timeout"
+            raise
+        if process.returncode < 0:
+            return "crash"
+        return f"exit {process.returncode}" if process.returncode else ""
 
 
 class Engine:
@@ -14,7 +43,8 @@ class Engine:
         self.command = command
         self.check = check
         self.seconds = seconds
-        self.model, self.ray, self.hit = (folder / name for name in ("model.obj", "ray.f32", "hit.f32"))
+        self.model, self.packed, self.ray, self.hit = (
+            folder / name for name in ("model.obj", "triangles.f32", "ray.f32", "hit.f32"))
         self.verdict = folder / "verdict.json"
         self.right = -1  # the triangle of the last right answer, among those that were given
         self.calls = 0
@@ -22,32 +52,18 @@ class Engine:
     def failure(self, triangles, ray):
         """`wrong`, `crash` or `timeout`; empty where the answer is right."""
         self.model.write_text(obj_of(triangles))
-        write_ray(self.ray, ray)
+        write_floats(self.packed, [number for triangle in triangles for number in triangle])
+        write_floats(self.ray, ray)
         self.hit.unlink(missing_ok=True)
         self.calls += 1
-        ended = self.call()
+        files = {"%m": self.model, "%t": self.packed, "%r": self.ray, "%h": self.hit}
+        ended = call(self.command, files, self.seconds)
         if ended == "timeout":
             return ended
         self.judge(exists=self.hit.exists() and self.hit.stat().st_size == 16)
         if ended == "crash" or not self.hit.exists() or self.hit.stat().st_size != 16:
             return "crash"
         return self.answer
-
-    def call(self):
-        words = [word.replace("%m", str(self.model)).replace("%r", str(self.ray)).replace("%h", str(self.hit))
-                 for word in shlex.split(self.command)]
-        # In a group of its own, so that what it started ends with it.
-        with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              start_new_session=True) as process:
-            try:
-                process.wait(timeout=self.seconds)
-            except BaseException as error:
-                os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
-                if isinstance(error, subprocess.TimeoutExpired):
-                    return "timeout"
-                raise
-            return "crash" if process.returncode < 0 else ""
 
     def judge(self, exists):
         """By our own tree, the loop over every triangle, and exact arithmetic."""

@@ -38,9 +38,9 @@ def obj_of(triangles):
     return "".join(lines)
 
 
-def write_ray(path, ray):
+def write_floats(path, numbers):
     with path.open("wb") as file:
-        array.array("f", ray).tofile(file)
+        array.array("f", numbers).tofile(file)
 
 
 TEST = '''"""{triangles} triangles and a ray that an engine got wrong: python3 test_case.py 'engine %m %r %h'"""
@@ -57,10 +57,14 @@ RAY = {ray!r}  # origin, direction, t_min, t_max
 RIGHT = {right!r}  # the triangle, from 0, or -1
 
 with tempfile.TemporaryDirectory() as folder:
-    model, ray, hit = (Path(folder) / name for name in ("model.obj", "ray.f32", "hit.f32"))
+    model, packed, ray, hit = (Path(folder) / name for name in ("model.obj", "triangles.f32", "ray.f32", "hit.f32"))
     model.write_text(MODEL)
+    points = [float(word) for line in MODEL.splitlines() if line[:2] == "v " for word in line.split()[1:]]
+    packed.write_bytes(struct.pack("<%df" % len(points), *points))
     ray.write_bytes(struct.pack("<8f", *RAY))
-    command = sys.argv[1].replace("%m", str(model)).replace("%r", str(ray)).replace("%h", str(hit))
+    command = sys.argv[1]
+    for mark, path in (("%m", model), ("%t", packed), ("%r", ray), ("%h", hit)):
+        command = command.replace(mark, str(path))
     subprocess.run(command, shell=True, check=True)
     found = struct.unpack("<fffi", hit.read_bytes())
 print("found triangle", found[3], "at", found[0], "- right is", RIGHT)

@@ -1,4 +1,4 @@
-// The same with an exit that is 2 units in the last place later.
+// The same with an exit that is 4 units in the last place later.
 #include "structure/bvh/box_ray.glsl"
 #include "structure/bvh/box_padded.glsl"
 #include "slab/near_planes.glsl"

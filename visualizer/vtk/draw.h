@@ -11,6 +11,7 @@ struct SpaceInput {
     const State& state;
     std::size_t pane;
     const Shape& model;
+    glm::vec3 eye;
     double distance; // from the eye to what it looks at
 };
 

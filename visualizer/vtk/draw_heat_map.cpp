@@ -117,13 +117,16 @@ void draw_heat_map(vtkRenderer& renderer, const Area& area, const Stage& stage, 
                    std::size_t number) {
     const Pane& pane = *stage.panes()[number];
     const std::vector<float> values = heat_values(pane, state.heat_map);
-    const ValueRange range{0.0, heat_limit(values)};
+    const ValueRange range = heat_range(stage, state, number);
     const Area picture = picture_area(area, state.picture);
-    write(renderer, heat_title(pane, state), {area.x + margin, area.y + area.height - 20},
-          {.size = 13});
+    const std::string title = heat_title(pane, state);
+    write(renderer, title, {area.x + margin, area.y + area.height - 20},
+          {.size = size_to_fit(title, area.width - 2 * margin, 13)});
     show_image(renderer, *image_of(values, state.picture, range), picture);
-    draw_histogram(renderer, {picture.x + picture.width + 16, picture.y, 170, picture.height},
-                   values, range);
+    draw_histogram(
+        renderer,
+        {picture.x + picture.width + 16, picture.y, histogram_width(area), picture.height}, values,
+        range);
     if (state.pixel) {
         mark_pixel(renderer, picture, state.picture, *state.pixel);
     }

@@ -62,10 +62,11 @@ void add_color_bar(Column& column, const Stage& stage, const State& state) {
     middle.side = Side::center;
     Writing right = small;
     right.side = Side::right;
-    write(column.renderer, short_number(0.5 * (range.lower + range.upper)),
+    const auto number = [&](double value) { return short_number(number_of(state.color, value)); };
+    write(column.renderer, number(0.5 * (range.lower + range.upper)),
           {(column.x + column.right) / 2, column.y}, middle);
-    write(column.renderer, short_number(range.upper), {column.right, column.y}, right);
-    add_line(column, short_number(range.lower), small);
+    write(column.renderer, number(range.upper), {column.right, column.y}, right);
+    add_line(column, number(range.lower), small);
 }
 
 void add_color_names(Column& column, const Stage& stage, const State& state) {
@@ -127,7 +128,100 @@ std::string fact_name(const Fact& fact) {
     return name;
 }
 
+std::string corner_text(const glm::vec3& corner) {
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", corner.x, corner.y, corner.z);
+}
+
+// Of the cell that is selected: where it is, what it is part of, and what it costs.
+void add_selected(Column& column, const Pane& pane, int selected) {
+    const std::vector<Cell>& cells = pane.cells.cells;
+    if (selected < 0 || static_cast<std::size_t>(selected) >= cells.size()) {
+        return;
+    }
+    const Cell& cell = cells[static_cast<std::size_t>(selected)];
+    add_heading(column, "Selected: " + cell_name(pane.cells, selected));
+    add_fact(column, "from", corner_text(cell.box.lower));
+    add_fact(column, "to", corner_text(cell.box.upper));
+    add_fact(column, "depth", std::to_string(cell.depth));
+    add_fact(column, "triangles", std::to_string(cell.triangles));
+    if (cell.parent != no_cell) {
+        add_fact(column, "parent", cell_name(pane.cells, cell.parent));
+    }
+    std::string children;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i].parent == selected) {
+            children += (children.empty() ? "" : ", ") + std::to_string(i);
+        }
+    }
+    if (!children.empty()) {
+        add_fact(column, "children", children);
+    }
+    const double root = surface_area(cells.front().box);
+    if (pane.cells.kind != CellKind::grid && root > 0.0) {
+        add_fact(column, "is met by",
+                 short_number(100.0 * surface_area(cell.box) / root) + " % of rays");
+    }
+    add_fact(column, "expected cost", short_number(cell.cost));
+}
+
+// One column of numbers for each structure, as many as there is room for, and a line for each fact.
+void add_compared_facts(Column& column, const Stage& stage, int lowest) {
+    constexpr std::size_t most = 3;
+    constexpr int width = 62;
+    const std::size_t count = std::min(stage.panes().size(), most);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Pane& pane = *stage.panes()[i];
+        add_fact(column, std::string(1, static_cast<char>('A' + i)), pane.label);
+        for (const Fact& fact : pane.built.facts) {
+            if (std::find(names.begin(), names.end(), fact.name) == names.end()) {
+                names.push_back(fact.name);
+            }
+        }
+    }
+    // What most of them have comes first.
+    std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+        const auto have = [&](const std::string& name) {
+            return std::count_if(stage.panes().begin(), stage.panes().end(), [&](const auto& pane) {
+                const auto& facts = pane->built.facts;
+                return std::any_of(facts.begin(), facts.end(),
+                                   [&](const Fact& fact) { return fact.name == name; });
+            });
+        };
+        return have(a) > have(b);
+    });
+    const auto right_of = [&](std::size_t i) {
+        return column.right - width * static_cast<int>(count - 1 - i);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        write(column.renderer, std::string(1, static_cast<char>('A' + i)), {right_of(i), column.y},
+              {.size = 13, .font = Font::bold, .side = Side::right});
+    }
+    column.y -= line;
+    for (const std::string& name : names) {
+        if (column.y < lowest) {
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const Fact& fact : stage.panes()[i]->built.facts) {
+                if (fact.name == name) {
+                    write(column.renderer, fact_value(fact), {right_of(i), column.y},
+                          {.size = 12, .side = Side::right});
+                }
+            }
+        }
+        const std::string words = fact_name({name, 0.0});
+        const int room = right_of(0) - width - column.x;
+        add_line(column, words, {.color = faint_ink, .size = size_to_fit(words, room, 12)});
+    }
+}
+
 void add_facts(Column& column, const Stage& stage, int lowest) {
+    if (stage.panes().size() > 1) {
+        add_heading(column, "Structures");
+        add_compared_facts(column, stage, lowest);
+        return;
+    }
     for (const std::unique_ptr<Pane>& pane : stage.panes()) {
         if (pane->built.facts.empty() || column.y - 3 * line < lowest) {
             continue;
@@ -173,8 +267,8 @@ std::string levels_text(const Stage& stage, const State& state,
 
 // With few enough digits not to run into the next column.
 std::string narrow_number(double value) {
-    return value > 0.0 && value < 0.001 ? fmt::format("{:.1e}", value)
-                                        : fmt::format("{:.3g}", value);
+    return value > 0.0 && (value < 0.001 || value >= 10000.0) ? fmt::format("{:.1e}", value)
+                                                              : fmt::format("{:.3g}", value);
 }
 
 void write_row(vtkRenderer& renderer, const Area& table, int row,
@@ -236,6 +330,7 @@ void draw_side(vtkRenderer& renderer, const Layout& layout, const Stage& stage, 
     } else {
         add_color_bar(column, stage, state);
         add_color_names(column, stage, state);
+        add_selected(column, *stage.panes().front(), state.selected);
         add_facts(column, stage, lowest);
     }
     const Levels levels = levels_of(*stage.panes().front(), state);

@@ -42,6 +42,18 @@ DrawnPart drawn_part(const Stage& stage, const Ray& ray, const Hit& hit) {
     return {static_cast<double>(ray.t_min), std::min(last, static_cast<double>(ray.t_max))};
 }
 
+// The same, but for what lies right before the eye: there the end of a thin tube would hide all
+// else.
+DrawnPart part_before(const SpaceInput& input, const Ray& ray, const DrawnPart& part) {
+    const double length = glm::length(glm::dvec3(ray.direction));
+    const double near = 0.1 * input.distance;
+    const double away = glm::distance(point_at(ray, part.start), input.eye);
+    if (length == 0.0 || away >= near) {
+        return part;
+    }
+    return {std::min(part.start + near / length, part.end), part.end};
+}
+
 void add_tubes(vtkRenderer& renderer, const std::vector<Segment>& segments, const glm::vec3& color,
                double radius) {
     if (segments.empty()) {
@@ -72,7 +84,8 @@ long draw_rays(vtkRenderer& renderer, const SpaceInput& input, double radius) {
     const Pane& pane = *input.stage.panes()[input.pane];
     const RecordedWalk* current = walk_in(pane, input.state);
     for (const PathRay& ray : pane.path) {
-        const DrawnPart part = drawn_part(input.stage, ray.walk.ray, ray.walk.hit);
+        const DrawnPart part =
+            part_before(input, ray.walk.ray, drawn_part(input.stage, ray.walk.ray, ray.walk.hit));
         const std::vector<Segment> whole{
             {point_at(ray.walk.ray, part.start), point_at(ray.walk.ray, part.end)}};
         add_tubes(renderer, whole, color_of(ray.role),
@@ -211,7 +224,8 @@ DrawnPane draw_path(vtkRenderer& renderer, const SpaceInput& input) {
         return drawn;
     }
     const std::size_t last = step_in(*walk, input.state);
-    const DrawnPart part = drawn_part(input.stage, walk->ray, walk->hit);
+    const DrawnPart part =
+        part_before(input, walk->ray, drawn_part(input.stage, walk->ray, walk->hit));
     drawn.intervals = draw_intervals(renderer, *walk, last, part, radius);
     drawn.culled = draw_culled(renderer, input, *walk, last);
     const DrawnTriangles tested = draw_triangles(renderer, input, *walk, last);

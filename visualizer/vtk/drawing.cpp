@@ -133,8 +133,8 @@ std::vector<DrawnPane> Drawing::draw(const Stage& stage, const State& state) {
     const double distance = glm::distance(glm::dvec3(from.eye), glm::dvec3(from.target));
     std::vector<DrawnPane> drawn;
     for (std::size_t i = 0; i < spaces_.size(); ++i) {
-        drawn.push_back(
-            draw_space(*spaces_[i], layout_.panes[i], {stage, state, i, model_, distance}));
+        drawn.push_back(draw_space(*spaces_[i], layout_.panes[i],
+                                   {stage, state, i, model_, from.eye, distance}));
     }
     aim(from);
     for (std::size_t i = 0; i < heat_maps_.size(); ++i) {

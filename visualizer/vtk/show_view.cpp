@@ -19,6 +19,7 @@
 #include <cctype>
 #include <functional>
 #include <iostream>
+#include <vector>
 
 namespace raysteps::view {
 
@@ -53,7 +54,7 @@ public:
     vtkTypeMacro(Style, vtkInteractorStyleTrackballCamera)
 
     std::function<void(const std::string& key)> on_key;
-    std::function<void(const glm::ivec2& place)> on_panel;
+    std::function<void(const glm::ivec2& place, bool begins)> on_panel;
     std::function<bool(const glm::ivec2& place)> is_panel;
     std::function<void(const glm::ivec2& place, bool shift)> on_click;
     std::function<void(int peels)> set_peels;
@@ -67,14 +68,14 @@ public:
         if (key.size() == 1) {
             key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
         }
-        on_key(key);
+        on_key((GetInteractor()->GetControlKey() != 0 ? "Control+" : "") + key);
     }
 
     void OnLeftButtonDown() override {
         start_ = place();
         slides_ = is_panel(start_);
         if (slides_) {
-            on_panel(start_);
+            on_panel(start_, true);
             return;
         }
         set_peels(moving);
@@ -83,7 +84,7 @@ public:
 
     void OnMouseMove() override {
         if (slides_) {
-            on_panel(place());
+            on_panel(place(), false);
             return;
         }
         vtkInteractorStyleTrackballCamera::OnMouseMove();
@@ -124,15 +125,15 @@ public:
     Session(const Request& request, Stage& stage)
         : state_(request.state), stage_(stage), drawing_(*window_) {
         window_->SetSize(state_.window.x, state_.window.y);
-        window_->SetWindowName(title().c_str());
         interactor_->SetRenderWindow(window_);
         interactor_->SetInteractorStyle(style_);
         style_->on_key = [this](const std::string& key) { press(key); };
         style_->is_panel = [this](const glm::ivec2& place) {
             return is_on_panel(state_, stage_, place);
         };
-        style_->on_panel = [this](const glm::ivec2& place) {
-            show(after_click(now(), stage_, place));
+        style_->on_panel = [this](const glm::ivec2& place, bool begins) {
+            const State next = after_click(now(), stage_, place);
+            begins ? change(next) : show(next); // all of a drag is one change
         };
         style_->on_click = [this](const glm::ivec2& place, bool shift) { click(place, shift); };
         style_->set_peels = [this](int peels) { set_peels(peels); };
@@ -143,6 +144,8 @@ public:
         drawing_.draw(stage_, state_);
         window_->Render();
         interactor_->Initialize();
+        // Only a window that hears keys has its name: whoever drives it can wait for that.
+        window_->SetWindowName(title().c_str());
         vtkNew<vtkCallbackCommand> resized;
         resized->SetClientData(this);
         resized->SetCallback([](vtkObject*, unsigned long, void* session, void*) {
@@ -174,6 +177,25 @@ private:
         window_->Render();
     }
 
+    // What the user asks for, which can be undone.
+    void change(const State& next) {
+        done_.push_back(now());
+        undone_.clear();
+        show(next);
+    }
+
+    // To the newest state of the one list; where it was goes to the other.
+    void go_to_last(std::vector<State>& from, std::vector<State>& back) {
+        if (from.empty()) {
+            return;
+        }
+        back.push_back(now());
+        State next = from.back();
+        from.pop_back();
+        next.window = state_.window;
+        show(next);
+    }
+
     void press(const std::string& key) {
         switch (window_action(key)) {
         case WindowAction::quit:
@@ -191,20 +213,29 @@ private:
         case WindowAction::play:
             toggle_play();
             return;
+        case WindowAction::undo:
+            go_to_last(done_, undone_);
+            return;
+        case WindowAction::redo:
+            go_to_last(undone_, done_);
+            return;
         case WindowAction::none:
-            show(after_key(now(), stage_, key));
+            if (changes_state(key)) {
+                change(after_key(now(), stage_, key));
+            }
         }
     }
 
     void click(const glm::ivec2& place, bool shift) {
         const State state = now();
         if (shift) {
-            show(with_selected(state, stage_, cell_under(state, stage_, *state.viewpoint, place)));
+            change(
+                with_selected(state, stage_, cell_under(state, stage_, *state.viewpoint, place)));
             return;
         }
         const auto point = point_under(state, stage_, *state.viewpoint, place);
         if (point) {
-            show(with_ray_to(state, stage_, *point));
+            change(with_ray_to(state, stage_, *point));
         }
     }
 
@@ -213,7 +244,7 @@ private:
             stop_playing();
             return;
         }
-        show(after_key(now(), stage_, "Home"));
+        change(after_key(now(), stage_, "Home"));
         timer_ = interactor_->CreateRepeatingTimer(play_interval);
     }
 
@@ -272,6 +303,8 @@ private:
     }
 
     State state_;
+    std::vector<State> done_; // to go back to
+    std::vector<State> undone_;
     Stage& stage_;
     vtkNew<vtkRenderWindow> window_;
     vtkNew<vtkRenderWindowInteractor> interactor_;

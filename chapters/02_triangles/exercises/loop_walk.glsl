@@ -8,14 +8,20 @@
 //
 // - A round tests one triangle, and calls observe_test(its number) before.
 // - nearest is the best hit so far, by is_nearer; before the first one, miss(ray).
-// - place.x is the next triangle to be tested. place.y and place.z are not used.
+// - place.x is the next triangle to be tested. place.y and place.z are not used. Once a walk has
+//   ended its place means nothing, here and in the chapters to come: a check shows it as 0.
 // - ended says that there is nothing left to do: all triangles are tested; or a hit was found
 //   whose t is at most near_enough. A ray that is_empty, and a scene without triangles, have
 //   nothing to do from the start.
 //
-// The scene has the triangles 0 to triangle_count - 1; triangle_corner(i, 0), (i, 1) and (i, 2)
-// are the corners of triangle i. prepare_ray(ray) is asked once a launch, and
-// intersect_triangle(prepared, a, b, c, i) for each triangle.
+// The scene has the triangles 0 to triangle_count - 1. All that a walk needs is at hand:
+//
+//     real3 triangle_corner(int i, int corner)   corner 0, 1 or 2 of triangle i
+//     PreparedRay prepare_ray(Ray ray)           what the triangle tests share, once a launch
+//     Hit intersect_triangle(PreparedRay ray, real3 a, real3 b, real3 c, int i)
+//     Hit miss(Ray ray)                          no hit yet: its t is the ray's t_max
+//     bool is_nearer(Hit hit, Hit best)          whether it is a hit, and wins over the best one
+//     bool is_hit(Hit hit), bool is_empty(Ray ray)
 uniform int triangle_count;
 
 //# exercise 2.6: a whole walk, the loop over every triangle

@@ -1,12 +1,12 @@
 // A corner as the ray sees it, and the axis along which the ray is longest. The corner of step 1 is
 // (0.25, 0.5, 0.75); of step 2 beside the origin, where the depth is zero; of step 3 close to the
-// ray. Steps 4 to 6 ask these, and 7 to 9 as well, of a very small and a very large scene; step 10
-// the first one with a very short direction.
+// ray. Steps 4 to 6 ask these, and 7 to 9 as well, of a very small and a very large scene; steps 10
+// and 11 the first and the second one with a very short direction.
 
 uvec4 checkpoint(Ray ray, int step) {
-    int kind = step == 10 ? 1 : 1 + (step - 1) % 3;
+    int kind = 1 + (step - 1) % 3;
     real scale = scale_of(1 + (step - 1) / 3);
-    if (step == 10) {
+    if (step >= 10) {
         scale = real(1.0f);
         ray.direction = ray.direction / real(1.2676506002282294e30f); // 2^100
     }

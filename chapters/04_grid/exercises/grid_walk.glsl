@@ -17,8 +17,16 @@
 //   ray never comes to it, and its t is not less than `farthest`; and where the next cell is
 //   outside of the grid. It ends at once with a hit whose t is at most near_enough.
 //
-// grid_start(number) up to grid_start(number + 1) are the references of a cell; grid_triangle
-// (grid_reference(place)) is a reference's triangle.
+// The references of a cell are the places from grid_start(number) to the one before
+// grid_start(number + 1). Beside what chapter 02 lists (prepare_ray(), which gives a PreparedRay,
+// intersect_triangle(), triangle_corner(), is_nearer(), miss(), observe_test()), these are at hand:
+//
+//     int grid_start(int number), int grid_reference(int place), int grid_triangle(int reference)
+//     ivec3 grid_cell_of(int number), int grid_cell_number(ivec3 cell)
+//     real leaving(Ray ray, int axis, int i), int first_axis(real3 leaves)
+//     bool goes_up(Ray ray, int axis), and ivec3 grid_cells: how many cells along each axis
+//
+// Of a walk that has ended, a check shows the place as 0.
 #include "structure/grid/grid_plane.glsl"
 #include "structure/grid/grid_cells.glsl"
 

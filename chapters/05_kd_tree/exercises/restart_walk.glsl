@@ -19,9 +19,19 @@
 //   left.
 // - The walk ends at once with a hit whose t is at most near_enough.
 //
-// A leaf has the references node.first_reference up to node.end_reference, and texelFetch
-// (kd_references, place).x is a reference's triangle. visit_leaf, which the project's walks share,
-// is a part of this: write your own.
+// The references of a leaf are the places from node.first_reference to the one before
+// node.end_reference, and texelFetch(kd_references, place).x is a reference's triangle. Beside what
+// chapter 02 lists (prepare_ray(), which gives a PreparedRay, intersect_triangle(),
+// triangle_corner(), is_nearer(), miss(), is_empty(), observe_test()), these are at hand:
+//
+//     KdPart part_in_tree(Ray ray)               entry and exit; the ray misses the tree where
+//                                                entry <= exit does not hold
+//     KdDescent descend(int place, Ray ray, real t, real exit)
+//                                                place, node, exit and steps of the leaf
+//     Walk start_kd_walk(Ray ray)                is start_walk, which you may call or write
+//
+// visit_leaf, which the project's walks share, is a part of this: write your own. Of a walk that
+// has ended, a check shows the place as 0.
 #include "structure/kd_tree/kd_nodes.glsl"
 #include "structure/kd_tree/kd_descent.glsl"
 

@@ -17,7 +17,19 @@
 //   is at most near_enough. It starts at node 0, and has ended there where the ray is empty or
 //   bvh_node_count is 0.
 //
-// box_ray(ray) and prepare_ray(ray) prepare a ray for boxes and for triangles, once a launch.
+// Beside what chapter 02 lists (prepare_ray(), which gives a PreparedRay, intersect_triangle(),
+// is_nearer(), miss(), is_empty()), these are at hand, so no other file has to be opened:
+//
+//     BoxRay box_ray(Ray ray)                    prepares a ray for boxes, once a launch
+//     BvhNode bvh_node(int place)                first_planes, last_planes, skip, link
+//     bool is_bvh_leaf(BvhNode node)
+//     bool meets_bvh_node(BoxRay ray, BvhNode node, real t_max)
+//     BvhTriangle bvh_triangle(int place)        a, b, c, number, last
+//     BvhLeaf test_bvh_leaf(PreparedRay ray, Hit nearest, int triangle, real near_enough, int left)
+//
+// The last one tests the triangles of a leaf as the project's walks do: nearest, triangle, left and
+// found are the state after it. You may call it, or write that loop yourself. Of a walk that has
+// ended, a check shows the place as 0.
 #include "structure/bvh/box_ray.glsl"
 #include "structure/bvh/box_plain.glsl"
 #include "structure/bvh/bvh_leaf.glsl"

@@ -3,8 +3,8 @@
 ALT = (
     "Bars of the nanoseconds that five triangle tests take, each with its faults in a million rays "
     "that are aimed at vertices: Moeller-Trumbore is the fastest and has most, in the two "
-    "watertight tests none was found, and Moeller-Trumbore in double takes longest and has some "
-    "all the same"
+    "watertight tests none was found, of which exact areas take longest, and Moeller-Trumbore in "
+    "double has some all the same"
 )
 HEIGHT = 292
 SENTENCES = []

@@ -100,25 +100,35 @@ Ray far(Ray ray, RandomNumbers& /*numbers*/) {
     return ray;
 }
 
-float nearby(float number, RandomNumbers& numbers) {
+float nearby(float number, RandomNumbers& numbers, int most_steps) {
     const float goal = numbers.below(2) == 0 ? infinite : -infinite;
-    for (int steps = numbers.below(3); steps > 0; --steps) {
+    for (int steps = numbers.below(most_steps + 1); steps > 0; --steps) {
         number = std::nextafter(number, goal);
     }
     return number;
 }
 
-// Eight numbers of any size that are equal, but for a few roundings.
-Ray nearly_equal(Ray ray, RandomNumbers& numbers) {
+// Eight numbers of any size that are equal, but for so many floats up or down.
+Ray equal_but_for(Ray ray, RandomNumbers& numbers, int steps) {
     const float sign = numbers.below(2) == 0 ? 1.0f : -1.0f;
     const float number = sign * std::ldexp(0.5f + 0.5f * numbers.unit(), numbers.below(41) - 20);
     for (int axis = 0; axis < 3; ++axis) {
-        ray.origin[axis] = nearby(number, numbers);
-        ray.direction[axis] = nearby(number, numbers);
+        ray.origin[axis] = nearby(number, numbers, steps);
+        ray.direction[axis] = nearby(number, numbers, steps);
     }
-    ray.t_min = nearby(number, numbers);
-    ray.t_max = nearby(number, numbers);
+    ray.t_min = nearby(number, numbers, steps);
+    ray.t_max = nearby(number, numbers, steps);
     return ray;
+}
+
+// A few roundings.
+Ray nearly_equal(Ray ray, RandomNumbers& numbers) {
+    return equal_but_for(ray, numbers, 2);
+}
+
+// As far as the room of a box test reaches, and a little farther.
+Ray some_floats_apart(Ray ray, RandomNumbers& numbers) {
+    return equal_but_for(ray, numbers, 6);
 }
 
 // Large numbers beside small ones.
@@ -151,6 +161,7 @@ Family family_named(const std::string& name) {
                                                         {"slowest", slowest},
                                                         {"far", far},
                                                         {"nearly_equal", nearly_equal},
+                                                        {"some_floats_apart", some_floats_apart},
                                                         {"uneven", uneven},
                                                         {"not_numbers", not_numbers}};
     const auto place = families.find(name);

@@ -52,7 +52,7 @@ TEST_CASE("an exact box test knows its sides and corners and zeros", "[08][slab]
     CHECK(exact_meets_box({{-1, -1, 0}, {1, 1, 0}, 0.0f, no_end}, {{0, 0, 0}, {1, 1, 0}}));
 }
 
-TEST_CASE("room of two units makes the box test miss nothing at corners", "[08][slab]") {
+TEST_CASE("room of four units makes the box test miss nothing at corners", "[08][slab]") {
     const auto context = make_context(ContextKind::automatic);
     Counts counts = examine(slab_trade_off(little_effort()));
     REQUIRE(counts.size() == 6);

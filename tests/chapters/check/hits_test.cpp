@@ -3,6 +3,7 @@
 #include "files.h"
 #include "mirror/trace_by_mirror.h"
 #include "scene/ray_file.h"
+#include "scene/shapes.h"
 #include "support/error_of.h"
 #include "support/same_bits.h"
 #include "support/scratch_folder.h"
@@ -62,6 +63,19 @@ TEST_CASE("each wrong hit of another engine is told, and why", "[check][hits]") 
     behind[0].t_min = 5.0f;
     CHECK(check_hits(right_hits(behind), ball(), rays).wrong.front().cause ==
           "there is a nearer one");
+}
+
+TEST_CASE("a miss at an edge is wrong where the edge is closed, and right at a border",
+          "[check][hits]") {
+    const std::vector<Ray> rays{{{0.5f, 0.5f, 1.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, 1e30f},
+                                {{1.0f, 0.25f, 1.0f}, {0.0f, 0.0f, -1.0f}, 0.0f, 1e30f}};
+    const Mesh square = quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+    const Scene scene = add_mesh(Scene{}, square, Material{});
+    const Hit missed{1e30f, 0.0f, 0.0f, no_triangle};
+    const AnswerCheck check = check_hits(std::vector{missed, missed}, scene, rays);
+    REQUIRE(check.wrong.size() == 1);
+    CHECK(check.wrong.front().ray == 0);
+    CHECK(check.wrong.front().cause == "it is missed");
 }
 
 TEST_CASE("a file of hits comes back with the same bits", "[check][hits]") {

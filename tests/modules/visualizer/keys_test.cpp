@@ -5,6 +5,7 @@
 #include "visualizer/layout.h"
 #include "visualizer/pointing.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace raysteps;
@@ -89,6 +90,34 @@ TEST_CASE("a cell that is marked is seen in the table", "[visualizer][table]") {
         CHECK(static_cast<int>(place) < next.first_row + rows);
     }
     CHECK(with_selected(state, stage, no_cell).first_row == state.first_row);
+}
+
+TEST_CASE("a marked row stays in sight in every order", "[visualizer][table]") {
+    Stage stage;
+    State state = mirrors_state();
+    state.table = true;
+    stage.show(state);
+    state.selected = sorted_cells(*stage.panes().front(), state).back();
+    for (int order = 0; order < 5; ++order) {
+        state = after_key(state, stage, "j");
+        const std::vector<int> cells = sorted_cells(*stage.panes().front(), state);
+        const auto row = std::find(cells.begin(), cells.end(), state.selected) - cells.begin();
+        CAPTURE(order, row, state.first_row);
+        CHECK(row >= state.first_row);
+        CHECK(row < state.first_row + table_rows(layout_of(state, 1)));
+    }
+}
+
+TEST_CASE("control with a letter is another key than the letter", "[visualizer][keys]") {
+    Stage stage;
+    const State state = mirrors_state();
+    stage.show(state);
+    CHECK(changes_state("z"));
+    CHECK_FALSE(changes_state("Control+z"));
+    CHECK_FALSE(changes_state("Shift_L"));
+    CHECK(window_action("Control+z") == WindowAction::undo);
+    CHECK(window_action("Control+y") == WindowAction::redo);
+    CHECK_FALSE(after_key(state, stage, "Control+x").clip);
 }
 
 TEST_CASE("keys turn what is drawn", "[visualizer][keys]") {

@@ -83,6 +83,40 @@ TEST_CASE("a heat map's last colour is what 99 in 100 pixels stay below", "[visu
     CHECK(histogram_of({0.0f, 1.0f, 2.5f, 9.0f}, 4.0, 4) == std::vector<std::size_t>{1, 1, 1, 1});
 }
 
+TEST_CASE("several heat maps share the scale of the one that does most", "[visualizer][stage]") {
+    State state = mirrors_state();
+    state.structures = {"grid", "bvh_ordered"};
+    state.heat_map = HeatMap::tests;
+    Stage stage;
+    stage.show(state);
+    const auto own = [&](std::size_t pane) {
+        return heat_limit(heat_values(*stage.panes()[pane], state.heat_map));
+    };
+    REQUIRE(own(0) > own(1));
+    CHECK(heat_range(stage, state, 0).upper == own(0));
+    CHECK(heat_range(stage, state, 1).upper == own(0));
+    state.own_scales = true;
+    CHECK(heat_range(stage, state, 1).upper == own(1));
+}
+
+TEST_CASE("the colour of a cost is its logarithm, and the legend says the cost",
+          "[visualizer][stage]") {
+    State state = mirrors_state();
+    state.structures = {"bvh_ordered"};
+    state.color = CellColor::cost;
+    state.filter = CellFilter::all;
+    Stage stage;
+    stage.show(state);
+    const Pane& pane = *stage.panes().front();
+    const double root = pane.cells.cells.front().cost;
+    const double value = color_values(pane, state, {0}).front();
+    CHECK(value == Approx(std::log10(root)));
+    CHECK(number_of(CellColor::cost, value) == Approx(root));
+    CHECK(number_of(CellColor::depth, 3.0) == 3.0);
+    CHECK(color_range(stage, state).upper >= value);
+    CHECK(color_in({0.0, 1.0}, -5.0) == color_in({0.0, 1.0}, 0.0)); // cells without a surface
+}
+
 TEST_CASE("the cells shown of a walk are those that it came to and did not leave out",
           "[visualizer][cells]") {
     Stage stage;

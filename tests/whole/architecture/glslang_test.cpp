@@ -4,7 +4,10 @@
 #include "support/scratch_folder.h"
 
 #include <cstdlib>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace raysteps;
 
@@ -56,21 +59,41 @@ TEST_CASE("every program that can be composed passes glslang", "[architecture][s
     const std::vector<ProgramRecipe> programs = list_programs();
     REQUIRE(programs.size() >= 10);
     std::set<std::string> seen;
+    std::vector<std::pair<std::string, ShaderText>> shaders;
+    std::map<std::string, std::string> commands; // for each stage
     for (const ProgramRecipe& recipe : programs) {
         Parts parts = recipe.parts;
         parts.try_emplace("real", "real/float.glsl");
         for (const std::string& pass : {recipe.pass, vertex_pass_of(recipe.pass)}) {
-            const ShaderText shader = read_shader(pass, parts);
+            ShaderText shader = read_shader(pass, parts);
             if (!seen.insert(shader.text).second) {
                 continue;
             }
+            const std::string stage = pass.substr(pass.find('.') + 1);
+            const std::filesystem::path file =
+                folder / (std::to_string(shaders.size()) + "." + stage);
+            put_bytes(file, shader.text);
+            commands.try_emplace(stage, "glslangValidator -t -S " + stage).first->second +=
+                " '" + file.string() + "'";
+            shaders.emplace_back(stage, std::move(shader));
+        }
+    }
+    // All of a stage at once, which takes a tenth of the time. Only where one is wrong, each by
+    // itself.
+    for (const auto& [stage, command] : commands) {
+        if (run_in_shell(command + " >'" + (folder / "all").string() + "'") == 0) {
+            continue;
+        }
+        FAIL_CHECK("glslangValidator refuses a " << stage << " program");
+        for (const auto& [own_stage, shader] : shaders) {
             std::string files;
             for (const std::string& file : shader.files) {
                 files += file + " ";
             }
             CAPTURE(files);
-            const std::string stage = pass.substr(pass.find('.') + 1);
-            CHECK(complaints(folder, shader, stage) == no_complaint);
+            if (own_stage == stage) {
+                CHECK(complaints(folder, shader, stage) == no_complaint);
+            }
         }
     }
     CHECK(seen.size() > programs.size()); // each fragment pass, and the vertex passes

@@ -11,8 +11,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-# As CTest gives it: the program with its first options, parted by semicolons.
-COURSE = os.environ.get("RAYSTEPS_COURSE", f"{sys.executable};{ROOT}/course").split(";")
+# As CTest gives it: the program with its first options, parted by semicolons. Python itself is run, not a
+# script that looks for it, which may take longer than a command.
+COURSE = [sys.executable, *os.environ.get("RAYSTEPS_COURSE", f"python3;{ROOT}/course").split(";")[1:]]
 BUILD = Path(COURSE[COURSE.index("--build") + 1]) if "--build" in COURSE else ROOT / "build" / "default"
 
 

@@ -44,7 +44,7 @@ CHANGES = {
                                         "(last_planes - ray.last_origin[axis]) * (1.5f * ray.inverse[axis])", "box"),
     "half the padding": ("common/structure/padding.cpp", "return 0x1p-19", "return 0x1p-20", "padding"),
     "half the way off a surface": ("shaders/light/leave_surface.glsl", "64.0f", "32.0f", "left_surface"),
-    "half the room": ("shaders/structure/bvh/box_padded.glsl", "2.384185791015625e-7f", "1.1920928955078125e-7f",
+    "half the room": ("shaders/structure/bvh/box_padded.glsl", "4.76837158203125e-7f", "2.384185791015625e-7f",
                       "box_room"),
     "another function": ("shaders/structure/kd_tree/kd_descent.glsl", "real t = (plane - ray.origin[axis])",
                          "real t = floor(plane - ray.origin[axis])", "plane"),
@@ -129,7 +129,7 @@ class ProofsTest(unittest.TestCase):
         with self.assertRaisesRegex(TextChanged, "has 0 functions sharpened, not one"):
             formula(ROOT, file, "sharpened", "x", known)
 
-    def test_two_units_are_too_little_room_for_some_box(self):
+    def test_two_units_are_too_little_room_for_some_box_and_four_are_enough(self):
         """The ray goes through the edge where the box begins along x and ends along y, as exact numbers say."""
         box_ray, padded = "shaders/structure/bvh/box_ray.glsl", "shaders/structure/bvh/box_padded.glsl"
         true, rounded = [], []
@@ -142,12 +142,14 @@ class ProofsTest(unittest.TestCase):
             rounded.append(computed(box_ray, "span_in_box", "enters.x", {
                 "first_planes_x": planes, "ray_first_origin_x": origins, "ray_inverse_x": inverse}))
         entry, leaves = rounded
-        room = computed(padded, "meets_box", "room", {
-            "span_exit": leaves, "two_last_places": Single(Fraction(1, 2**22))})
-        padded_exit = computed(padded, "meets_box", "exit", {"span_exit": leaves, "room": room})
-        self.assertEqual(constant(ROOT / padded, "two_last_places"), "1b-22")
+        padded_exits = []
+        for places in (Fraction(1, 2**22), Fraction(1, 2**21)):
+            room = computed(padded, "meets_box", "room", {"span_exit": leaves, "four_last_places": Single(places)})
+            padded_exits.append(computed(padded, "meets_box", "exit", {"span_exit": leaves, "room": room}))
+        self.assertEqual(constant(ROOT / padded, "four_last_places"), "1b-21")
         self.assertLessEqual(true[0], true[1])  # it is in the box
-        self.assertGreater(entry.value, padded_exit.value)  # and said not to be
+        self.assertGreater(entry.value, padded_exits[0].value)  # and would be said not to be
+        self.assertLessEqual(entry.value, padded_exits[1].value)
 
 
 if __name__ == "__main__":
