@@ -9,7 +9,7 @@ packages_to_run=(
   g++ cmake ninja-build pkg-config
   libglm-dev libosmesa6-dev libegl-dev libglfw3-dev python3-glad khronos-api
   libegl-mesa0 libgl1-mesa-dri
-  libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev
+  libtinyobjloader-dev libassimp-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev
   libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core python3
 )
 

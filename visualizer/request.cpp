@@ -294,6 +294,21 @@ bool has_grids_only(const State& state) {
                        [](const std::string& name) { return name.starts_with("grid"); });
 }
 
+// --camera with a word instead of numbers.
+State with_camera_word(State state, Given& given) {
+    const auto camera = given.find("--camera");
+    if (camera == given.end()) {
+        return state;
+    }
+    const std::optional<CameraChoice> choice = camera_choice(camera->second);
+    state.placed = choice.value_or(CameraChoice::automatic);
+    if (choice) {
+        state.camera.reset();
+        given.erase(camera);
+    }
+    return state;
+}
+
 State with_options(State state, const Given& given) {
     if (given.contains("--viewpoint")) {
         state.viewpoint.reset(); // a new one is upright, however the saved one was turned
@@ -393,6 +408,7 @@ Request read_request(int argc, char** argv) {
         values.merge(request.state.build_values); // those of the command line come first
         request.state.build_values = std::move(values);
     }
+    request.state = with_camera_word(std::move(request.state), given);
     request.state = with_options(std::move(request.state), given);
     if (given.contains("--steps")) {
         take_told_walk(request.state, given);

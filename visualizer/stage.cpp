@@ -134,7 +134,9 @@ void Stage::show(const State& state) {
     if (camera) {
         camera = scaled(*camera, state.scale_exponent);
     }
-    load({state.scene, state.hard_case, aspect_ratio(state.picture), state.scale_exponent}, camera);
+    load({state.scene, state.hard_case, aspect_ratio(state.picture), state.scale_exponent,
+          state.placed, state.up},
+         camera);
     camera_ = camera.value_or(scene_.camera);
     const std::optional<Ray> ray = ray_of(state);
     build({state.structures, state.build_values, reach_with(ray), state.steps});
@@ -179,7 +181,19 @@ void Stage::load(const SceneSource& source, const std::optional<Camera>& camera)
     if (source.hard_case.empty()) {
         say_("loading " + source.scene);
         scene = load_scene(source.scene, source.aspect_ratio,
-                           {.scale_exponent = source.scale_exponent, .instead = camera});
+                           {.scale_exponent = source.scale_exponent,
+                            .camera = {source.placed, source.up, camera}});
+        const auto holes =
+            std::count_if(scene.materials.begin(), scene.materials.end(),
+                          [](const Material& material) { return !material.cutout_map.empty(); });
+        if (holes > 0) {
+            scene.messages.push_back("Cut-outs are not shown in view: " + std::to_string(holes) +
+                                     " materials.");
+        }
+        if (scene.origin != glm::dvec3(0.0)) {
+            scene.messages.push_back("In view, --camera, --viewpoint, --ray and --clip count from "
+                                     "that point.");
+        }
     } else {
         const HardCase& hard_case = find_hard_case(source.hard_case);
         say_("making " + hard_case.name);

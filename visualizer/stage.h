@@ -40,6 +40,8 @@ private:
         std::string hard_case;
         float aspect_ratio;
         int scale_exponent;
+        CameraChoice placed;
+        UpAxis up;
 
         bool operator==(const SceneSource&) const = default;
     };

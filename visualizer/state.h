@@ -1,6 +1,7 @@
 #pragma once
 
 #include "basics/ray.h"
+#include "scene/place_camera.h"
 #include "scene/scene.h"
 
 #include <glm/vec2.hpp>
@@ -42,6 +43,14 @@ inline Words words_of(SortBy) {
     return {"id", "depth", "count", "area", "cost"};
 }
 
+inline Words words_of(CameraChoice) {
+    return camera_choices();
+}
+
+inline Words words_of(UpAxis) {
+    return up_axes();
+}
+
 template <class Choice>
 std::string word_of(Choice choice) {
     return words_of(choice)[static_cast<std::size_t>(choice)];
@@ -79,7 +88,9 @@ struct State {
     std::vector<std::string> structures{"bvh4"};     // NAME or NAME:option=value:...
     std::map<std::string, std::string> build_values; // for the builders of all of them
     std::optional<Camera> camera; // that traces the picture; by default the scene's
-    glm::ivec2 picture{512, 512}; // its size in pixels
+    CameraChoice placed = CameraChoice::automatic; // without one, where a file names none
+    UpAxis up = UpAxis::y;                         // the axis of a file that is up for it
+    glm::ivec2 picture{512, 512};                  // its size in pixels
 
     // The ray: that of a pixel of the picture, as given, or that of recorded steps.
     std::optional<glm::ivec2> pixel;

@@ -22,7 +22,8 @@ void visit_fields(const Visit& visit) {
                            const char* meaning = "") {
         visit(Field{name, option, meaning}, member);
     };
-    field("scene", &State::scene, "SCENE", "an .obj or .toml file, or a sample scene");
+    field("scene", &State::scene, "SCENE",
+          "a model (.obj, .ply, .stl, .gltf, .glb, ...), a .toml file, or a sample scene");
     field("scale_exponent", &State::scale_exponent, "--scale-exponent",
           "multiply all lengths of the file, of --camera and of --ray by 2 to this power, for a "
           "model that is too small for floats");
@@ -37,6 +38,8 @@ void visit_fields(const Visit& visit) {
     field("build_values", &State::build_values);
     field("camera", &State::camera, "--camera",
           "the camera that traces the picture, as in all chapters");
+    field("placed", &State::placed);
+    field("up", &State::up, "--up", "the axis of a model from a file that points up");
     field("picture", &State::picture, "--size", "size of the traced picture in pixels");
     field("pixel", &State::pixel, "--pixel",
           "show the ray of this pixel: column,row from top left");

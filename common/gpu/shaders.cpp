@@ -154,6 +154,18 @@ bool fills(const std::filesystem::path& file, const std::string& slot) {
     return false;
 }
 
+// A walk asks a part for cut-outs nothing but a hit, whatever test made it and whoever observes:
+// one of each will do.
+bool has_needless_cutout(const ProgramRecipe& recipe) {
+    const auto is_other = [&](const char* slot, const char* part) {
+        const auto chosen = recipe.parts.find(slot);
+        return chosen != recipe.parts.end() && chosen->second != part;
+    };
+    return is_other("cutout", "cutout/none.glsl") &&
+           (is_other("triangle", "triangle/watertight.glsl") ||
+            is_other("observer", "observer/none.glsl") || is_other("real", "real/float.glsl"));
+}
+
 std::vector<std::string> slots_of(const std::string& pass) {
     static const std::regex include(R"(^\s*#\s*include\s*<([^>]+)>.*$)");
     std::ifstream stream(find_shader(pass, shader_folder()));
@@ -264,6 +276,7 @@ std::vector<ProgramRecipe> list_programs() {
             }
             choices = std::move(extended);
         }
+        std::erase_if(choices, has_needless_cutout);
         programs.insert(programs.end(), choices.begin(), choices.end());
     }
     return programs;

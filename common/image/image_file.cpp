@@ -109,8 +109,8 @@ struct Free {
     void operator()(stbi_uc* components) const { stbi_image_free(components); }
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError(path.string() + ": is not a PNG, JPEG or BMP picture that can be read (" +
+[[noreturn]] void fail(const std::string& name) {
+    throw InputError(name + ": is not a PNG, JPEG, TGA or BMP picture that can be read (" +
                      stbi_failure_reason() + "). Save it again as PNG.");
 }
 
@@ -201,35 +201,71 @@ Image read_pfm(const std::filesystem::path& path) {
     return image;
 }
 
-Image read_picture(const std::filesystem::path& path) {
-    const std::string bytes =
-        read_file(path, most_bytes_a_pixel * most_pixels + most_bytes_beside_pixels);
-    const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
-    const int size = static_cast<int>(bytes.size());
+namespace {
+
+// Row by row, with that many components a pixel.
+struct DecodedPicture {
     int width = 0;
     int height = 0;
-    int channels = 0;
-    if (stbi_info_from_memory(start, size, &width, &height, &channels) == 0) {
-        fail(path);
+    int channels = 0; // of the file
+    std::unique_ptr<stbi_uc, Free> components;
+};
+
+DecodedPicture decode(const std::string& bytes, const std::string& name, int components) {
+    const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    DecodedPicture decoded;
+    if (stbi_info_from_memory(start, size, &decoded.width, &decoded.height, &decoded.channels) ==
+        0) {
+        fail(name);
     }
-    check_size(path.string(), width, height);
-    Image image(width, height);
-    if (bytes.size() > most_bytes_a_pixel * image.pixels.size() + most_bytes_beside_pixels) {
-        throw InputError(path.string() + ": has " + std::to_string(bytes.size()) +
-                         " bytes, too many for its " + std::to_string(image.pixels.size()) +
+    check_size(name, decoded.width, decoded.height);
+    const std::size_t pixels =
+        static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
+    if (bytes.size() > most_bytes_a_pixel * pixels + most_bytes_beside_pixels) {
+        throw InputError(name + ": has " + std::to_string(bytes.size()) +
+                         " bytes, too many for its " + std::to_string(pixels) +
                          " pixels. Save it again without profiles and texts.");
     }
-    const std::unique_ptr<stbi_uc, Free> components(
-        stbi_load_from_memory(start, size, &width, &height, &channels, 3));
-    if (!components) {
-        fail(path);
+    decoded.components.reset(stbi_load_from_memory(start, size, &decoded.width, &decoded.height,
+                                                   &decoded.channels, components));
+    if (!decoded.components) {
+        fail(name);
     }
-    const stbi_uc* component = components.get();
+    return decoded;
+}
+
+} // namespace
+
+std::string read_picture_bytes(const std::filesystem::path& path) {
+    return read_file(path, most_bytes_a_pixel * most_pixels + most_bytes_beside_pixels);
+}
+
+Image read_picture(const std::filesystem::path& path) {
+    return decode_picture(read_picture_bytes(path), path.string());
+}
+
+Image decode_picture(const std::string& bytes, const std::string& name) {
+    const DecodedPicture decoded = decode(bytes, name, 3);
+    Image image(decoded.width, decoded.height);
+    const stbi_uc* component = decoded.components.get();
     for (glm::vec3& pixel : image.pixels) {
         pixel = {decode_srgb(component[0]), decode_srgb(component[1]), decode_srgb(component[2])};
         component += 3;
     }
     return image;
+}
+
+Opacity decode_opacity(const std::string& bytes, const std::string& name) {
+    const DecodedPicture decoded = decode(bytes, name, 2); // grey and alpha
+    Opacity opacity{decoded.width, decoded.height, decoded.channels % 2 == 0, {}};
+    const std::size_t pixels =
+        static_cast<std::size_t>(opacity.width) * static_cast<std::size_t>(opacity.height);
+    opacity.values.reserve(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        opacity.values.push_back(decoded.components.get()[2 * i + (opacity.is_alpha ? 1 : 0)]);
+    }
+    return opacity;
 }
 
 } // namespace raysteps

@@ -4,9 +4,11 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raysteps {
 
@@ -38,9 +40,27 @@ void write_pfm(const std::filesystem::path& path, const Image& image);
 // header or the file's length is not exactly what the format asks for.
 Image read_pfm(const std::filesystem::path& path);
 
-// The colors of a PNG, JPEG or BMP file as linear RGB; opacity is left out, and 16-bit files become
-// 8-bit ones. Its content decides what it is, not its name. Throws InputError where the file is
-// none of these, is damaged, or is larger than check_image allows.
+// The colors of a PNG, JPEG, TGA or BMP file as linear RGB; opacity is left out, and 16-bit files
+// become 8-bit ones. Its content decides what it is, not its name. Throws InputError where the file
+// is none of these, is damaged, or is larger than check_image allows.
 Image read_picture(const std::filesystem::path& path);
+
+// The same of such a file's bytes; the name is for sentences.
+Image decode_picture(const std::string& bytes, const std::string& name);
+
+// How opaque a picture is, from 0 to 255, row by row from the top: by its alpha channel, else by
+// its grey.
+struct Opacity {
+    int width = 0;
+    int height = 0;
+    bool is_alpha = false;
+    std::vector<std::uint8_t> values;
+};
+
+// Throws as read_picture does.
+Opacity decode_opacity(const std::string& bytes, const std::string& name);
+
+// At most so many bytes has a picture file that can be read.
+std::string read_picture_bytes(const std::filesystem::path& path);
 
 } // namespace raysteps

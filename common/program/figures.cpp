@@ -83,7 +83,7 @@ Numbers head_numbers(const FiguresHead& head) {
 
 SceneRecord record_of(const Scene& scene) {
     return {scene.name, hash_of(scene), triangle_count(scene),
-            camera_text(scene.camera, {0.0f, 1.0f, 0.0f})};
+            camera_text(scene.camera, {0.0f, 1.0f, 0.0f}, scene.origin)};
 }
 
 std::string version_in_words() {

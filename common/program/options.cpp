@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "program/figures.h"
+#include "program/output.h"
 #include "scene/camera_text.h"
 #include "scene/load_scene.h"
 #include "scene/scaling.h"
@@ -10,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <deque>
 #include <iostream>
@@ -103,21 +105,32 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
     return text;
 }
 
-// For a scene that is too large to place a camera in front of it.
-std::optional<Camera> camera_instead(const PictureOptions& picture) {
-    if (!picture.camera.empty()) {
-        return scaled(parse_camera(picture.camera, Camera{}), picture.scale_exponent);
+// Whether --camera has numbers.
+bool names_place(const PictureOptions& picture) {
+    return !picture.camera.empty() && !camera_choice(picture.camera);
+}
+
+CameraRequest camera_request(const PictureOptions& picture) {
+    CameraRequest request;
+    request.choice = camera_choice(picture.camera).value_or(CameraChoice::automatic);
+    request.up = static_cast<UpAxis>(find_choice("--up", picture.up, up_axes()));
+    // For a scene that is too large to place a camera in front of it.
+    if (names_place(picture)) {
+        request.instead = scaled(parse_camera(picture.camera, Camera{}), picture.scale_exponent);
+    } else if (!picture.needs_camera) {
+        request.instead = Camera{};
     }
-    return picture.needs_camera ? std::nullopt : std::optional(Camera{});
+    return request;
 }
 
 Scene load(const PictureOptions& picture) {
     const int exponent = picture.scale_exponent;
     Scene scene = load_scene(picture.scene, aspect_ratio(picture.size),
-                             {.scale_exponent = exponent, .instead = camera_instead(picture)});
-    if (!picture.camera.empty()) { // in the lengths of the file
+                             {.scale_exponent = exponent, .camera = camera_request(picture)});
+    if (names_place(picture)) { // in the lengths of the file
+        const glm::dvec3 origin = std::ldexp(1.0, -exponent) * scene.origin;
         scene.camera =
-            scaled(parse_camera(picture.camera, scaled(scene.camera, -exponent)), exponent);
+            scaled(parse_camera(picture.camera, scaled(scene.camera, -exponent), origin), exponent);
     }
     return scene;
 }
@@ -309,14 +322,18 @@ void add_picture_options(Options& options, PictureOptions& picture) {
     if (picture.out.empty()) {
         picture.out = std::filesystem::path("out") / options.program();
     }
-    options.input_file("--scene", picture.scene,
-                       "an .obj or .toml file, or the name of a scene (see --list-scenes)");
+    options.input_file(
+        "--scene", picture.scene,
+        "a model (.obj, .ply, .stl, .gltf, .glb, ...), a .toml file, or the name of a scene (see "
+        "--list-scenes)");
     options.value("--size", fmt::format("{}x{}", picture.size.width, picture.size.height),
                   "the picture's width and height in pixels, as in 640x480",
                   [&](const std::string& text) { picture.size = parse_size(text); });
     options.text("--camera", picture.camera,
                  "eye x,y,z and target x,y,z, optionally followed by the vertical field of view "
-                 "in degrees, and then by up x,y,z");
+                 "in degrees, and then by up x,y,z; or, for a model from a file, front, left, top, "
+                 "inside or file");
+    options.choice("--up", picture.up, "the axis of a model from a file that points up", up_axes());
     options.number("--scale-exponent", picture.scale_exponent,
                    "multiply all lengths of the file, of --camera and of --rays by 2 to this "
                    "power, for a model that is too small for floats; hits stay as they are",
@@ -335,7 +352,11 @@ void add_picture_options(Options& options, PictureOptions& picture) {
 }
 
 Scene load_scene(const PictureOptions& picture) {
-    Scene scene = load(picture);
+    const auto loaded = [&] {
+        const WorkNotice notice("loading " + picture.scene);
+        return load(picture);
+    };
+    const Scene scene = loaded();
     for (const std::string& message : scene.messages) {
         std::cerr << message << "\n";
     }

@@ -104,6 +104,7 @@ struct PictureOptions {
     PictureSize size{512, 512};
     int scale_exponent = 0;      // all lengths of a file are multiplied by 2 to this power
     std::string camera{};        // empty: the scene's own
+    std::string up = "y";        // the axis that is up, where a camera is placed
     std::filesystem::path out{}; // empty: the program's folder in out/
     std::filesystem::path json{};
     ContextKind context = ContextKind::automatic;
@@ -111,7 +112,7 @@ struct PictureOptions {
     bool needs_camera = true; // else a scene too large for one will do as well
 };
 
-// --scene --size --camera --scale-exponent --out --json --context --window --print-scene
+// --scene --size --camera --up --scale-exponent --out --json --context --window --print-scene
 // --list-scenes
 void add_picture_options(Options& options, PictureOptions& picture);
 

@@ -34,9 +34,14 @@ struct SceneTextures {
     BufferTexture triangle_materials; // one integer per triangle
     BufferTexture materials;          // three texels per material
     StructureTextures structure;
+    std::map<std::string, BufferTexture> cutouts{}; // of cutout/pictures.glsl; empty without holes
 };
 
+// With the holes of its surfaces, where materials have a cutout_map.
 SceneTextures upload(const Scene& scene, const BuiltStructure& structure);
+
+// The same scene without them.
+SceneTextures without_cutouts(SceneTextures textures);
 
 // Without a structure: for the loop over every triangle.
 SceneTextures upload(const Scene& scene);

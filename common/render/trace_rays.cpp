@@ -28,6 +28,7 @@ constexpr int most_launches_in_vain = 1 << 12;
 constexpr float farthest = std::numeric_limits<float>::max();
 
 const std::string nobody = "observer/none.glsl";
+const std::string no_cutouts = "cutout/none.glsl";
 const std::string trace_pass = "pass/trace/trace.frag";
 const std::string packets_pass = "pass/trace/trace_packets.frag";
 const std::string resume_pass = "pass/trace/resume.frag";
@@ -50,6 +51,7 @@ long pixel_count(const RayTextures& rays) {
 Parts with_defaults(Parts parts) {
     parts.try_emplace("structure", "structure/every_triangle.glsl");
     parts.try_emplace("observer", nobody);
+    parts.try_emplace("cutout", no_cutouts);
     return parts;
 }
 
@@ -136,6 +138,7 @@ Texture TraceRays::trace(const Request& request) {
     const int height = request.rays.origins.height();
     launches_ = 0;
     went_in_packets_ = false;
+    choose_cutouts(request.scene);
     // Walks that a launch is known to cut are not begun in vain.
     if (observed_ || request.scene.structure.longest_walk > rounds_per_launch_) {
         const Texture nothing(TexelFormat::rgba32ui, width, height, TexelLayout::one_layer);
@@ -166,14 +169,28 @@ bool TraceRays::goes_in_packets(const Request& request) {
         return false;
     }
     const std::string structure = std::filesystem::path(parts_.at("packet")).stem();
-    return packets_are_faster(
+    const bool are_faster = packets_are_faster(
         structure, [this](const RayTextures& rays, const SceneTextures& scene, Packets packets) {
+            choose_cutouts(scene);
             const bool together = packets == Packets::always;
             const Texture hits(TexelFormat::rgba32ui, rays.origins.width(), rays.origins.height(),
                                together ? TexelLayout::quads : TexelLayout::one_layer);
             const Request batch{rays, scene, nullptr, -farthest};
             together ? trace_packets(batch, hits) : trace_alone(batch, hits);
         });
+    choose_cutouts(request.scene);
+    return are_faster;
+}
+
+// Only a scene with holes in its surfaces has programs that ask for them.
+void TraceRays::choose_cutouts(const SceneTextures& scene) {
+    const std::string part = scene.cutouts.empty() ? no_cutouts : "cutout/pictures.glsl";
+    if (parts_.at("cutout") != part) {
+        parts_["cutout"] = part;
+        trace_.reset();
+        trace_packets_.reset();
+        resume_.reset();
+    }
 }
 
 void TraceRays::set(Program& program, const Request& request) const {
@@ -183,6 +200,9 @@ void TraceRays::set(Program& program, const Request& request) const {
         .set("near_enough", request.near_enough)
         .set("rounds", rounds_per_launch_);
     bind(program, request.scene.structure);
+    for (const auto& [name, buffer] : request.scene.cutouts) {
+        program.set(name, buffer);
+    }
 }
 
 long TraceRays::count_asked(const Request& request) {

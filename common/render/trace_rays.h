@@ -33,7 +33,7 @@ public:
     // where no observer is given nobody observes, and where no structure is given, it is
     // every_triangle. Where a part is given for the slot <packet>, it walks rays that are
     // neighbours in packets (pass/trace/trace_packets.frag), unless somebody observes, or counts in
-    // another precision.
+    // another precision. The slot <cutout> is filled by what the scene of a trace calls for.
     TraceRays(Parts parts, const Limits& limits, Packets packets = Packets::where_faster);
 
     // For tests: launches of that many rounds, whatever the limits say.
@@ -67,6 +67,7 @@ private:
 
     Texture trace(const Request& request);
     bool goes_in_packets(const Request& request);
+    void choose_cutouts(const SceneTextures& scene);
     void set(Program& program, const Request& request) const;
     long count_asked(const Request& request);
     // Writes the hits of all walks that a single launch ends; says how many rays (of packets, how

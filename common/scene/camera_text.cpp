@@ -2,6 +2,9 @@
 
 #include "basics/error.h"
 #include "basics/text.h"
+#include "scene/scaling.h"
+
+#include <fmt/format.h>
 
 #include <glm/geometric.hpp>
 
@@ -9,7 +12,20 @@
 
 namespace raysteps {
 
-Camera parse_camera(const std::string& text, const Camera& start) {
+namespace {
+
+// Of a text whose words are numbers.
+std::vector<double> doubles_of(const std::string& text) {
+    std::vector<double> numbers;
+    for (const std::string& word : split_words(text, ',')) {
+        numbers.push_back(parse_number<double>(word).value_or(0.0));
+    }
+    return numbers;
+}
+
+} // namespace
+
+Camera parse_camera(const std::string& text, const Camera& start, const glm::dvec3& origin) {
     const std::optional<std::vector<float>> given = parse_numbers(text);
     const std::size_t count = given ? given->size() : 0;
     if (count != 6 && count != 7 && count != 10) {
@@ -22,6 +38,11 @@ Camera parse_camera(const std::string& text, const Camera& start) {
     Camera camera = start;
     camera.eye = {numbers[0], numbers[1], numbers[2]};
     camera.target = {numbers[3], numbers[4], numbers[5]};
+    if (origin != glm::dvec3(0.0)) { // beside which a float would have too few digits
+        const std::vector<double> places = doubles_of(text);
+        camera.eye = as_seen_from(origin, {places[0], places[1], places[2]});
+        camera.target = as_seen_from(origin, {places[3], places[4], places[5]});
+    }
     if (numbers.size() >= 7) {
         camera.vertical_field_of_view = numbers[6];
     }
@@ -63,6 +84,17 @@ void append(std::string& text, const glm::vec3& point) {
     }
 }
 
+void append_place(std::string& text, const glm::vec3& place, const glm::dvec3& origin) {
+    if (origin == glm::dvec3(0.0)) {
+        append(text, place);
+        return;
+    }
+    const glm::dvec3 in_file = glm::dvec3(place) + origin;
+    for (int axis = 0; axis < 3; ++axis) {
+        text += fmt::format("{}{}", text.empty() ? "" : ",", in_file[axis]);
+    }
+}
+
 // Whether up and the scene's up, seen from the eye, point apart.
 bool is_tilted(const Camera& camera, const glm::vec3& scene_up) {
     const glm::dvec3 sight = glm::dvec3(camera.target) - glm::dvec3(camera.eye);
@@ -74,10 +106,10 @@ bool is_tilted(const Camera& camera, const glm::vec3& scene_up) {
 
 } // namespace
 
-std::string camera_text(const Camera& camera, const glm::vec3& scene_up) {
+std::string camera_text(const Camera& camera, const glm::vec3& scene_up, const glm::dvec3& origin) {
     std::string numbers;
-    append(numbers, camera.eye);
-    append(numbers, camera.target);
+    append_place(numbers, camera.eye, origin);
+    append_place(numbers, camera.target, origin);
     numbers += "," + shortest_text(camera.vertical_field_of_view);
     if (is_tilted(camera, scene_up)) {
         append(numbers, camera.up);

@@ -99,13 +99,13 @@ std::optional<Light> parallelogram(const Corners& first, const Corners& second) 
 
 } // namespace
 
-Camera frame_box(const Box& box, float aspect_ratio) {
+Camera frame_box(const Box& box, float aspect_ratio, const ViewDirection& direction) {
     if (is_empty(box)) {
         return {};
     }
     const glm::dvec3 center = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
-    const glm::dvec3 backward = glm::normalize(glm::dvec3(0.45, 0.35, 1.0));
-    const ViewFrame frame = view_frame(-backward, {0.0, 1.0, 0.0});
+    const glm::dvec3 backward = glm::normalize(direction.backward);
+    const ViewFrame frame = view_frame(-backward, direction.up);
     const double up_slope = std::tan(glm::radians(field_of_view / 2.0));
     const double right_slope = up_slope * static_cast<double>(aspect_ratio);
 
@@ -128,12 +128,17 @@ Camera frame_box(const Box& box, float aspect_ratio) {
     Camera camera;
     camera.eye = glm::vec3(center + distance * backward);
     camera.target = glm::vec3(center);
+    camera.up = glm::vec3(direction.up);
     camera.vertical_field_of_view = static_cast<float>(field_of_view);
     return camera;
 }
 
 Camera frame_camera(const Scene& scene, float aspect_ratio, const std::optional<Camera>& instead) {
-    const Camera camera = frame_box(bounds_of(scene.corners), aspect_ratio);
+    return camera_or(frame_box(bounds_of(scene.corners), aspect_ratio), instead, scene.name);
+}
+
+Camera camera_or(const Camera& camera, const std::optional<Camera>& instead,
+                 const std::string& scene_name) {
     const float farthest = greatest_of(camera.eye);
     if (farthest <= greatest_coordinate) {
         return camera;
@@ -147,7 +152,7 @@ Camera frame_camera(const Scene& scene, float aspect_ratio, const std::optional<
         "{}: this is too large for a camera in front of it: the eye would be at {:.2g}, beyond "
         "1.8e18. Name one with --camera, or in a scene file, a .toml with [camera]; or let that "
         "file make the model smaller, with scale = {}, which changes no digit.",
-        scene.name, farthest, scale));
+        scene_name, farthest, scale));
 }
 
 std::vector<Light> place_lights(const Camera& camera) {

@@ -4,13 +4,20 @@
 #include "scene/scene.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace raysteps {
 
-// A camera that sees the whole box, from above right, at the aspect ratio width / height, which is
-// over 0. For an empty box, the default camera.
-Camera frame_box(const Box& box, float aspect_ratio);
+// Where the eye is as seen from what it looks at, and what is up: above right in front.
+struct ViewDirection {
+    glm::dvec3 backward{0.45, 0.35, 1.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
+};
+
+// A camera that sees the whole box, from that direction, at the aspect ratio width / height, which
+// is over 0. For an empty box, the default camera.
+Camera frame_box(const Box& box, float aspect_ratio, const ViewDirection& direction = {});
 
 // The same for all that the scene has. Where the eye would be so far out, beyond
 // greatest_coordinate, that squares of distances overflow a float, it is the camera `instead`;
@@ -18,17 +25,21 @@ Camera frame_box(const Box& box, float aspect_ratio);
 Camera frame_camera(const Scene& scene, float aspect_ratio,
                     const std::optional<Camera>& instead = std::nullopt);
 
+// The camera, or `instead`, by the same rule.
+Camera camera_or(const Camera& camera, const std::optional<Camera>& instead,
+                 const std::string& scene_name);
+
 // A bright light above left of the camera and a dim one on its right. Light in this project does
 // not fade with the distance and there is none from all around, so the dim one shows what the
 // bright one leaves in shadow.
 std::vector<Light> place_lights(const Camera& camera);
 
-// The lights of a model that names none: the parallelograms that glow (glowing_lights) and the dim
+// The lights of a sample that names none: the parallelograms that glow (glowing_lights) and the dim
 // one of place_lights; where nothing glows, both of those. The scene needs its camera.
 std::vector<Light> find_lights(Scene& scene);
 
-// The scene with a camera, lights and a background, for a model that names none. Throws as
-// frame_camera does.
+// The scene with a camera, lights and a background, for a sample that names none. Throws as
+// frame_camera does. (For files, place_camera.h looks closer.)
 Scene frame_scene(Scene scene, float aspect_ratio,
                   const std::optional<Camera>& instead = std::nullopt);
 

@@ -4,7 +4,8 @@
 #include "basics/file.h"
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
-#include "scene/obj/load_obj.h"
+#include "scene/load_model.h"
+#include "scene/pictures.h"
 #include "scene/samples/sample_scenes.h"
 #include "scene/scaling.h"
 
@@ -33,28 +34,37 @@ std::string lower_case(std::string text) {
 }
 
 // The same steps as for a model in a scene file, so that to_toml's text gives the same bits.
-Scene load_bare_obj(const fs::path& path, float aspect_ratio, const SceneRequest& request) {
-    const glm::mat4 transform =
-        glm::scale(glm::mat4(1.0f), glm::vec3(std::ldexp(1.0f, request.scale_exponent)));
-    Scene model = load_obj(path);
+Scene load_bare_model(const fs::path& path, float aspect_ratio, const SceneRequest& request) {
+    const double scale = std::ldexp(1.0, request.scale_exponent);
+    const glm::mat4 transform = glm::scale(glm::mat4(1.0f), glm::vec3(static_cast<float>(scale)));
+    Scene model = find_cutouts(load_model(path, Origin::near_model));
     model.models = {{fs::absolute(path).lexically_normal().string(), transform}};
-    Scene scene = append_model({}, model, transform);
+    Scene scene;
+    scene.origin = scale * model.origin;
+    scene = append_model(std::move(scene), model, transform);
     for (Material& material : scene.materials) {
         material = scaled(std::move(material), request.scale_exponent);
     }
     scene.name = model.name;
-    return frame_scene(std::move(scene), aspect_ratio, request.instead);
+    scene.background = calm_background;
+    scene.camera = place_camera(scene, aspect_ratio, request.camera);
+    scene.lights = place_model_lights(scene, aspect_ratio);
+    return scene;
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+    list.insert(list.end(), more.begin(), more.end());
 }
 
 Scene load_file(const fs::path& path, float aspect_ratio, const SceneRequest& request) {
-    Scene scene =
-        lower_case(path.extension().string()) == ".obj"
-            ? load_bare_obj(path, aspect_ratio, request)
-            : read_toml_scene(read_file(path, most_toml_bytes), path, aspect_ratio, request);
+    Scene scene = is_model_path(path) ? load_bare_model(path, aspect_ratio, request)
+                                      : read_toml_scene(read_file(path, most_toml_bytes), path,
+                                                        aspect_ratio, request);
     const std::string warning = warn_of_size(scene);
     if (!warning.empty()) {
         scene.messages.push_back(warning);
     }
+    append(scene.messages, tell_precision(scene));
     return scene;
 }
 
@@ -87,11 +97,16 @@ Scene load_scene(const std::string& name, float aspect_ratio, const SceneRequest
             throw InputError("--scale-exponent is for models from files, and " + name +
                              " is made by code. Leave it out.");
         }
+        if (request.camera.choice != CameraChoice::automatic || request.camera.up != UpAxis::y) {
+            throw InputError("--camera and --up with a word are for models from files, and " +
+                             name +
+                             " is made by code with a camera of its own. Give its --camera in "
+                             "numbers, or leave them out.");
+        }
         return make_sample_scene(name, aspect_ratio);
     }
     const fs::path path(name);
-    const std::string extension = lower_case(path.extension().string());
-    if (extension == ".obj" || extension == ".toml") {
+    if (is_model_path(path) || lower_case(path.extension().string()) == ".toml") {
         return load_file(path, aspect_ratio, request);
     }
     std::error_code error;
@@ -99,7 +114,7 @@ Scene load_scene(const std::string& name, float aspect_ratio, const SceneRequest
         throw InputError(
             name +
             (fs::is_directory(path, error) ? ": this is a folder" : ": this is not a scene file") +
-            ". Give a file that ends in .obj or .toml.");
+            ". Give a file that ends in " + scene_endings() + ".");
     }
     return make_sample_scene(name, aspect_ratio); // which says that there is no such scene
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/place_camera.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -11,13 +12,13 @@ namespace raysteps {
 
 // What is asked of a scene from a file besides its name.
 struct SceneRequest {
-    int scale_exponent = 0;          // all its lengths are multiplied by 2 to this power
-    std::optional<Camera> instead{}; // where it is too large for a camera in front of it
+    int scale_exponent = 0; // all its lengths are multiplied by 2 to this power
+    CameraRequest camera{}; // where it names none
 };
 
 // Loads what --scene names: a sample scene (`cornell_box`, `sphereflake:3`), `bunny`, or the path
-// of an .obj or .toml file. The aspect ratio (width / height) lets the camera frame a bare model.
-// Throws InputError with file and line where it cannot be used.
+// of a model (load_model.h) or a .toml file. The aspect ratio (width / height) lets the camera
+// frame a bare model. Throws InputError with file and line where it cannot be used.
 Scene load_scene(const std::string& name, float aspect_ratio, const SceneRequest& request = {});
 
 // The scene as the text of a TOML scene file that load_scene reads back to the same scene.

@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "basics/file.h"
 #include "basics/text.h"
+#include "scene/scaling.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -105,6 +106,14 @@ std::vector<std::string_view> split_cells(std::string_view line) {
     }
 }
 
+// With or without the names of the triangles.
+bool is_header_of_hits(std::vector<std::string_view> cells) {
+    if (cells.size() == 5 && cells.back() == "name") {
+        cells.pop_back();
+    }
+    return cells == std::vector<std::string_view>{"t", "u", "v", "triangle"};
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, int line, const std::string& what) {
     throw InputError(path.string() + ":" + std::to_string(line) + ": " + what);
 }
@@ -132,19 +141,29 @@ std::vector<std::size_t> read_header(std::string_view line, const std::filesyste
 }
 
 Ray read_line(std::string_view line, const std::vector<std::size_t>& indices,
-              const std::filesystem::path& path, int number) {
+              const std::filesystem::path& path, int number, const glm::dvec3& origin) {
     const std::vector<std::string_view> cells = split_cells(line);
     if (cells.size() != indices.size()) {
         fail(path, number,
              "the line has " + std::to_string(cells.size()) + " cells, but 8 are needed.");
     }
     std::array<float, 8> numbers{};
+    glm::dvec3 in_file(0.0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto parsed = parse_number<float>(cells[i]);
         if (!parsed) {
             fail(path, number, "`" + std::string(cells[i]) + "` is not a number.");
         }
         numbers[indices[i]] = *parsed;
+        if (indices[i] < 3) {
+            in_file[static_cast<int>(indices[i])] = parse_number<double>(cells[i]).value_or(0.0);
+        }
+    }
+    if (origin != glm::dvec3(0.0)) { // beside which a float would have too few digits
+        const glm::vec3 seen = as_seen_from(origin, in_file);
+        numbers[0] = seen.x;
+        numbers[1] = seen.y;
+        numbers[2] = seen.z;
     }
     return {{numbers[0], numbers[1], numbers[2]},
             {numbers[3], numbers[4], numbers[5]},
@@ -156,9 +175,13 @@ Ray read_line(std::string_view line, const std::vector<std::size_t>& indices,
 
 static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
 
-std::vector<Ray> read_ray_file(const std::filesystem::path& path) {
+std::vector<Ray> read_ray_file(const std::filesystem::path& path, const glm::dvec3& origin) {
     const std::string bytes = read_file(path, most_bytes);
-    std::vector<Ray> rays = is_csv(path) ? parse_ray_csv(bytes, path) : parse_binary(bytes, path);
+    std::vector<Ray> rays =
+        is_csv(path) ? parse_ray_csv(bytes, path, origin) : parse_binary(bytes, path);
+    for (std::size_t i = 0; i < rays.size() && !is_csv(path); ++i) {
+        rays[i].origin = as_seen_from(origin, glm::dvec3(rays[i].origin));
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         check(rays[i], i, path);
     }
@@ -199,6 +222,21 @@ void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits
     write_list(path, "t,u,v,triangle\n", hits);
 }
 
+void write_hit_file(const std::filesystem::path& path, std::span<const Hit> hits,
+                    const Scene& scene) {
+    if (!is_csv(path) || scene.runs.empty()) {
+        write_hit_file(path, hits);
+        return;
+    }
+    std::string text = "t,u,v,triangle,name\n";
+    for (const Hit& hit : hits) {
+        append_csv(text, hit);
+        text.back() = ',';
+        text += csv_field(name_of_triangle(scene, hit.triangle)) + "\n";
+    }
+    write_file(path, text);
+}
+
 std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
     const std::string bytes = read_file(path, most_bytes);
     if (!is_csv(path)) {
@@ -214,6 +252,7 @@ std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
         return hits;
     }
     std::vector<Hit> hits;
+    bool named = false;
     std::string_view text = bytes;
     for (int number = 1; !text.empty(); ++number) {
         const auto end = text.find('\n');
@@ -221,18 +260,20 @@ std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         const std::vector<std::string_view> cells = split_cells(line);
         if (number == 1 || trim(line).empty()) {
-            if (number == 1 && cells != std::vector<std::string_view>{"t", "u", "v", "triangle"}) {
+            if (number == 1 && !is_header_of_hits(cells)) {
                 fail(path, 1, "the first line names the columns: t,u,v,triangle.");
             }
+            named = named || cells.size() > 4;
             continue;
         }
-        const auto triangle = parse_number<int>(cells.back());
+        const bool complete = named ? cells.size() > 4 : cells.size() == 4; // a name has commas
+        const auto triangle = complete ? parse_number<int>(cells[3]) : std::nullopt;
         std::array<float, 3> numbers{};
-        for (std::size_t i = 0; cells.size() == 4 && i < numbers.size(); ++i) {
+        for (std::size_t i = 0; complete && i < numbers.size(); ++i) {
             numbers[i] =
                 parse_number<float>(cells[i]).value_or(std::numeric_limits<float>::quiet_NaN());
         }
-        if (cells.size() != 4 || !triangle) {
+        if (!triangle) {
             fail(path, number, "a line has t, u, v and the number of a triangle, or -1.");
         }
         hits.push_back({numbers[0], numbers[1], numbers[2], *triangle});
@@ -240,7 +281,8 @@ std::vector<Hit> read_hit_file(const std::filesystem::path& path) {
     return hits;
 }
 
-std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path) {
+std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::path& path,
+                               const glm::dvec3& origin) {
     std::vector<Ray> rays;
     std::vector<std::size_t> indices;
     for (int number = 1; !text.empty(); ++number) {
@@ -250,7 +292,7 @@ std::vector<Ray> parse_ray_csv(std::string_view text, const std::filesystem::pat
         if (number == 1) {
             indices = read_header(line, path);
         } else if (!trim(line).empty()) {
-            rays.push_back(read_line(line, indices, path, number));
+            rays.push_back(read_line(line, indices, path, number, origin));
         }
     }
     if (indices.empty()) {

@@ -49,6 +49,8 @@ struct Material {
     glm::vec3 transmission{1.0f};  // Tf
     int illumination_model = 1;    // illum
     std::string diffuse_map;       // map_Kd: path of the texture, empty where there is none
+    std::string cutout_map;        // map_d: where its alpha (or grey) is low, there is no surface
+    float cutoff = 0.5f;           // that is below this
 };
 
 // The illumination models 3 to 7 and 9 call for ray-traced reflection; without a specular colour it
@@ -92,10 +94,24 @@ struct Sky {
     glm::vec3 ground{0.0f};
 };
 
-// An OBJ file in a scene, and where it stands.
+// A model file in a scene, and where it stands.
 struct Model {
     std::string path;
     glm::mat4 transform{1.0f};
+};
+
+// A run of triangles that are one object of a model's file, from the first on to the next run.
+struct NamedRun {
+    int first_triangle = 0;
+    int model = 0;      // of Scene::models
+    std::string object; // its name in the file: o or g of an OBJ file, the node of a glTF file
+    int primitive = -1; // its number in the object, where the file counts them
+};
+
+// A picture that lies in a model's file; materials name it as they name a file.
+struct EnclosedPicture {
+    std::string name;
+    std::string bytes; // of a picture file: PNG, JPEG, ...
 };
 
 // Everything that a picture needs, in world space. Triangle i has the corners, normals and texture
@@ -117,7 +133,19 @@ struct Scene {
     // all: their numbers, if they were counted too, ascending.
     std::vector<int> left_out;
     std::vector<std::string> messages; // what the user should know about how it was loaded
+    glm::dvec3 origin{0.0};            // was taken from every coordinate of the files
+    std::vector<NamedRun> runs;        // in the order of their triangles
+    std::vector<int> faces;            // of each triangle: its face in its file, from 1; or empty
+    std::vector<glm::vec3> corner_colors; // linear RGB, times Kd; or empty
+    std::vector<EnclosedPicture> enclosed;
+    std::optional<Camera> file_camera; // the first that a model's file has
 };
+
+// `ear.obj, object "left", face 12`: what the files call a triangle; empty for a sample scene.
+std::string name_of_triangle(const Scene& scene, int triangle);
+
+// For each run, the triangles and faces that are its own, a line each; empty for a sample scene.
+std::vector<std::string> describe_runs(const Scene& scene);
 
 inline int triangle_count(const Scene& scene) {
     return static_cast<int>(scene.corners.size() / 3);

@@ -49,6 +49,10 @@ public:
         add(material.transmission);
         add(material.illumination_model);
         add(std::filesystem::path(material.diffuse_map).filename().string());
+        if (!material.cutout_map.empty()) { // so that scenes without one keep their digits
+            add(std::filesystem::path(material.cutout_map).filename().string());
+            add(material.cutoff);
+        }
     }
     void add(const Light& light) {
         add(light.position);
@@ -82,6 +86,9 @@ std::string hash_of(const Scene& scene) {
     hash.add(scene.triangle_materials);
     hash.add(scene.materials);
     hash.add(scene.lights);
+    if (!scene.corner_colors.empty()) {
+        hash.add(scene.corner_colors);
+    }
     const Sky sky = scene.sky.value_or(Sky{scene.background, scene.background, scene.background});
     hash.add(sky.zenith);
     hash.add(sky.horizon);

@@ -8,6 +8,7 @@
 #include "structure/padding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -104,7 +105,8 @@ void report_trace(const PictureOptions& picture, const TraceOptions& tracing, co
 
 void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
                     const Scene& scene) {
-    std::vector<Ray> rays = read_ray_file(tracing.rays);
+    std::vector<Ray> rays =
+        read_ray_file(tracing.rays, std::ldexp(1.0, -picture.scale_exponent) * scene.origin);
     for (Ray& ray : rays) {
         ray = scaled(ray, picture.scale_exponent);
     }
@@ -122,7 +124,7 @@ void trace_ray_file(const PictureOptions& picture, const TraceOptions& tracing,
     trace.report_progress(show_progress("tracing"));
     const RayTextures uploaded = upload_rays(rays);
     const auto [hits, seconds] = timed([&] { return trace.closest_hits(uploaded, textures); });
-    write_hit_file(tracing.hits, read_hits(hits, rays.size()));
+    write_hit_file(tracing.hits, read_hits(hits, rays.size()), scene);
     std::printf("wrote     %s, %zu hits\n", tracing.hits.string().c_str(), rays.size());
     report_trace(picture, tracing, scene, textures, {static_cast<double>(rays.size()), seconds});
 }

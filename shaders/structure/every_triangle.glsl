@@ -20,7 +20,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
         observe_test(i);
         Hit hit = intersect_triangle(prepared, triangle_corner(i, 0), triangle_corner(i, 1),
                                      triangle_corner(i, 2), i);
-        if (is_nearer(hit, nearest)) {
+        if (is_nearer(hit, nearest) && is_solid(hit)) {
             nearest = hit;
             found = hit.t <= near_enough;
         }

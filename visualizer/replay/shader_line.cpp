@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 // The words of a line, and how another walk may say the same.
 using Words = std::vector<std::string>;
 
-const Words nearer{"if (is_nearer(hit, nearest)) {", "if (is_nearer(hit, leaf.nearest)) {"};
+const Words nearer{"if (is_nearer(hit, nearest) &&", "if (is_nearer(hit, leaf.nearest) &&"};
 const Words found_any{"found = hit.t <= near_enough;", "ended = hit.t <= near_enough;"};
 
 const Words grid_leaves{"int axis = first_axis(leaves);"};

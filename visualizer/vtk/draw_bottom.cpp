@@ -16,6 +16,13 @@ std::vector<std::string> lines_of_why(const Stage& stage, const State& state) {
     return why ? why->lines : std::vector<std::string>{};
 }
 
+// What the files call the triangle that a walk ends with, behind its last step.
+std::string name_at_end(const Stage& stage, const RecordedWalk& walk, std::size_t step) {
+    const bool is_last = step + 1 == walk.steps.size();
+    const std::string name = is_last ? name_of_triangle(stage.scene(), walk.hit.triangle) : "";
+    return name.empty() ? "" : " (" + name + ")";
+}
+
 constexpr int line = 22;
 
 // The slider shows the steps of the first pane.
@@ -98,7 +105,8 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
             continue;
         }
         const std::size_t step = step_in(walk, state);
-        const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step);
+        const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step) +
+                                     name_at_end(stage, walk, step);
         write(renderer, sentence, {margin, y}, {.size = size_to_fit(sentence, width, 16)});
         y -= line;
         const std::string text = shader_text(walk, step);

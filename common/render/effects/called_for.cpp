@@ -170,9 +170,16 @@ std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_rat
     const std::vector<int> seen = triangles_in_view(scene, aspect_ratio);
     Calls calls;
     add_camera_effects(calls, scene);
+    calls.add(Effect::cutouts,
+              reason_of(scene, triangles_of_materials(scene),
+                        [](const Material& material) { return !material.cutout_map.empty(); }));
     add_light_effects(calls, scene, seen);
     if (calls.has(Effect::diffuse)) {
         calls.add(Effect::textures, reason_of(scene, seen, has_texture));
+        calls.add(Effect::vertex_colors,
+                  scene.corner_colors.empty()
+                      ? ""
+                      : counted(triangle_count(scene), "triangle") + " with colours at corners");
     }
     calls.add(Effect::mirrors, reason_of(scene, seen, [&](const Material& material) {
                   const glm::vec3& kept = material.specular;

@@ -96,6 +96,11 @@ EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
     if (has(plan, Effect::textures)) {
         add_textures(buffers, scene);
     }
+    if (has(plan, Effect::vertex_colors)) {
+        std::vector<glm::vec3> colors = scene.corner_colors; // white where it was forced on
+        colors.resize(scene.corners.size(), glm::vec3(1.0f));
+        add(buffers, "corner_colors", pack_vectors(colors));
+    }
     return buffers;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 SceneTextures with_planned_materials(SceneTextures textures, const Scene& scene, const Plan& plan) {
     textures.materials = BufferTexture(pack_planned_materials(scene, plan));
-    return textures;
+    return has(plan, Effect::cutouts) ? std::move(textures) : without_cutouts(std::move(textures));
 }
 
 Program& set_view(Program& program, const Camera& camera, double aspect_ratio) {

@@ -46,6 +46,17 @@ public:
              {.textures = {*paint_}, .live = &paths_.live});
     }
 
+    // That colour, or the material's own, times those of the corners.
+    void tint() {
+        Program& program = passes_["tint_surface"].set("hits", paths_.hits);
+        if (paint_) {
+            program.set("paint", *paint_);
+        }
+        Texture tinted(TexelFormat::rgba32f, width_, height_);
+        draw(program, {.textures = {tinted}, .live = &paths_.live});
+        paint_ = std::move(tinted);
+    }
+
     void light(const LampPoint& lamp, const Texture& color, long asking) {
         std::optional<Texture> visible;
         if (has(plan_, Effect::shadows)) {
@@ -156,6 +167,9 @@ void Lamps::light(const PathsAtHits& paths, const Texture& color, int sample, Pl
     LampWork work(paths, plan_, passes, trace, scene, tally);
     if (has(plan_, Effect::textures)) {
         work.paint();
+    }
+    if (has(plan_, Effect::vertex_colors)) {
+        work.tint();
     }
     for (const Light& light : lights_) {
         if (light.color == glm::vec3(0.0f)) {

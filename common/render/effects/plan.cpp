@@ -35,7 +35,12 @@ const std::vector<EffectRow>& list_effects() {
         {Effect::antialiasing, "antialiasing", {"spread_rays"}, "many rays per pixel"},
         {Effect::depth_of_field, "depth_of_field", {"lens_rays"}, "a lens instead of a pinhole"},
         {Effect::sky, "sky", {"add_sky"}, "a background that depends on the direction"},
+        {Effect::cutouts,
+         "cutouts",
+         {},
+         "surfaces with holes (map_d, alpha; the walks' part cutout/pictures.glsl)"},
         {Effect::textures, "textures", {"paint_surface"}, "textures (map_Kd)"},
+        {Effect::vertex_colors, "vertex_colors", {"tint_surface"}, "colours of vertices"},
         {Effect::diffuse, "diffuse", {"light_surface"}, "matte light (Kd)"},
         {Effect::highlights, "highlights", {"add_highlight"}, "glossy highlights (Ks, Ns)"},
         {Effect::shadows, "shadows", {"cast_lamp_rays"}, "shadow rays to the lights"},
@@ -101,6 +106,7 @@ EffectSet without_the_baseless(EffectSet effects, const EffectSet& forced_off) {
     };
     const bool lit = effects.contains(Effect::diffuse) || effects.contains(Effect::highlights);
     needs(Effect::textures, effects.contains(Effect::diffuse));
+    needs(Effect::vertex_colors, effects.contains(Effect::diffuse));
     needs(Effect::shadows, lit);
     needs(Effect::soft_shadows, effects.contains(Effect::shadows));
     needs(Effect::glass_shadows,
@@ -144,6 +150,11 @@ std::vector<PlannedPass> lamp_passes(const Plan& plan) {
     if (has(plan, Effect::textures)) {
         passes.push_back({"paint_surface", {}});
     }
+    const std::string by_texture =
+        has(plan, Effect::textures) ? "paint/painted.glsl" : "paint/plain.glsl";
+    if (has(plan, Effect::vertex_colors)) {
+        passes.push_back({"tint_surface", {{"paint", by_texture}}});
+    }
     if (has(plan, Effect::shadows)) {
         passes.push_back({"cast_lamp_rays", {{"lamp", lamp}}});
         passes.push_back({"select_rays", {}});
@@ -157,7 +168,7 @@ std::vector<PlannedPass> lamp_passes(const Plan& plan) {
     }
     if (has(plan, Effect::diffuse)) {
         Parts painted = parts;
-        painted["paint"] = has(plan, Effect::textures) ? "paint/painted.glsl" : "paint/plain.glsl";
+        painted["paint"] = has(plan, Effect::vertex_colors) ? "paint/painted.glsl" : by_texture;
         passes.push_back({"light_surface", painted});
     }
     if (has(plan, Effect::highlights)) {

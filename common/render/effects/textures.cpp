@@ -2,8 +2,7 @@
 
 #include "basics/error.h"
 #include "basics/text.h"
-#include "image/image_file.h"
-#include "scene/scene.h"
+#include "scene/pictures.h"
 
 #include <glm/common.hpp>
 
@@ -129,8 +128,8 @@ Image halved(const Image& finer) {
 
 constexpr int no_texture = -1;
 
-Image load_texture(const std::string& name) {
-    return is_made_texture(name) ? made_texture(name) : read_picture(name);
+Image load_texture(const Scene& scene, const std::string& name) {
+    return is_made_texture(name) ? made_texture(name) : picture_of(scene, name);
 }
 
 } // namespace
@@ -177,7 +176,7 @@ LoadedTextures load_textures(const Scene& scene) {
         if (is_new) {
             entry->second = no_texture;
             try {
-                result.images.push_back(load_texture(material.diffuse_map));
+                result.images.push_back(load_texture(scene, material.diffuse_map));
                 entry->second = static_cast<int>(result.images.size()) - 1;
             } catch (const InputError& error) {
                 result.messages.push_back("Material " + material.name +

@@ -55,9 +55,6 @@ void take_face(void* user_data, tinyobj::index_t* corners, int corner_count) {
 
 tinyobj::callback_t callbacks() {
     tinyobj::callback_t callback;
-    callback.vertex_cb = [](void* reading, float x, float y, float z, float) {
-        reading_of(reading).take_position(x, y, z);
-    };
     callback.texcoord_cb = [](void* reading, float x, float y, float) {
         reading_of(reading).take_texture_coordinate(x, y);
     };
@@ -71,13 +68,13 @@ tinyobj::callback_t callbacks() {
     return callback;
 }
 
-ObjFile read_obj(std::string_view text, const std::filesystem::path& path) {
+ObjFile read_obj(std::string_view text, const std::filesystem::path& path, Origin origin) {
     ObjReading reading(text, path);
     StatementBuffer buffer(reading);
     std::istream stream(&buffer);
     stream.exceptions(std::ios::badbit); // else the stream keeps an InputError of ours to itself
     tinyobj::LoadObjWithCallback(stream, callbacks(), &reading);
-    return reading.finish();
+    return reading.finish(origin);
 }
 
 glm::vec3 to_color(const float (&color)[3]) {
@@ -96,6 +93,7 @@ Material to_material(const tinyobj::material_t& source) {
     material.transmission = to_color(source.transmittance);
     material.illumination_model = source.illum;
     material.diffuse_map = source.diffuse_texname;
+    material.cutout_map = source.alpha_texname;
     return material;
 }
 
@@ -133,9 +131,9 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
     list.insert(list.end(), more.begin(), more.end());
 }
 
-Scene read_scene(std::string_view text, const std::filesystem::path& path) {
+Scene read_scene(std::string_view text, const std::filesystem::path& path, Origin origin) {
     check_is_text(text, path);
-    const ObjFile file = read_obj(text, path);
+    const ObjFile file = read_obj(text, path, origin);
     std::vector<std::string> messages = file.findings.sentences(path);
     const MtlFiles mtl_files = read_mtl_files(file);
     append(messages, mtl_files.findings.sentences(path));
@@ -170,12 +168,12 @@ auto guarded(const std::filesystem::path& path, const Step& step) {
 
 } // namespace
 
-Scene load_obj(const std::filesystem::path& path) {
-    return guarded(path, [&] { return read_scene(read_file(path, most_obj_bytes), path); });
+Scene load_obj(const std::filesystem::path& path, Origin origin) {
+    return guarded(path, [&] { return read_scene(read_file(path, most_obj_bytes), path, origin); });
 }
 
-Scene parse_obj(std::string_view text, const std::filesystem::path& path) {
-    return guarded(path, [&] { return read_scene(text, path); });
+Scene parse_obj(std::string_view text, const std::filesystem::path& path, Origin origin) {
+    return guarded(path, [&] { return read_scene(text, path, origin); });
 }
 
 ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
@@ -185,10 +183,12 @@ ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
         const CleanMtl clean = clean_mtl(text);
         ParsedMtl parsed{read_clean_mtl(clean.text), clean.findings.sentences(path)};
         for (Material& material : parsed.materials) {
-            const MtlTexture texture = find_texture(material.diffuse_map, path, inside);
-            material.diffuse_map = texture.path;
-            if (!texture.message.empty())
-                parsed.messages.push_back(texture.message);
+            for (std::string* map : {&material.diffuse_map, &material.cutout_map}) {
+                const MtlTexture texture = find_texture(*map, path, inside);
+                *map = texture.path;
+                if (!texture.message.empty())
+                    parsed.messages.push_back(texture.message);
+            }
         }
         return parsed;
     });
@@ -247,6 +247,7 @@ public:
     Scene finish();
 
 private:
+    void begin_run(int object);
     void add_corner(const ObjCorner& corner, int smoothing_group);
     int material_of(const ObjFace& face);
 
@@ -254,6 +255,7 @@ private:
     std::vector<int> material_of_name_;
     std::vector<CornerOrigin> origins_; // of each corner of the scene
     ObjFindings findings_;
+    int object_ = not_given; // of the run of triangles
     Scene scene_;
 };
 
@@ -281,11 +283,22 @@ void SceneMaker::add_face(const ObjFace& face) {
     if (repeats_corner(corners))
         findings_.note("A face names a vertex twice in a row; it is drawn as if once", face.line);
     const int material = material_of(face);
+    begin_run(face.object);
     for (const PolygonTriangle& triangle : triangles) {
         for (const int corner : triangle)
             add_corner(corners[corner], face.smoothing_group);
         scene_.triangle_materials.push_back(material);
+        scene_.faces.push_back(face.number);
     }
+}
+
+void SceneMaker::begin_run(int object) {
+    if (object == object_)
+        return;
+    object_ = object;
+    const auto index = static_cast<std::size_t>(object);
+    scene_.runs.push_back({triangle_count(scene_), 0, file_.objects[index],
+                           file_.primitives.empty() ? not_given : file_.primitives[index]});
 }
 
 void SceneMaker::add_corner(const ObjCorner& corner, int smoothing_group) {
@@ -293,6 +306,8 @@ void SceneMaker::add_corner(const ObjCorner& corner, int smoothing_group) {
     scene_.corners.push_back(file_.positions[corner.position]);
     scene_.texture_coordinates.push_back(index == not_given ? glm::vec2(0.0f)
                                                             : file_.texture_coordinates[index]);
+    if (!file_.colors.empty())
+        scene_.corner_colors.push_back(file_.colors[corner.position]);
     origins_.push_back({corner, smoothing_group});
 }
 
@@ -309,8 +324,9 @@ int SceneMaker::material_of(const ObjFace& face) {
 
 Scene SceneMaker::finish() {
     scene_.name = file_.path.stem().string();
+    scene_.origin = file_.origin;
     scene_.models.push_back({file_.path.string()});
-    scene_.messages = findings_.sentences(file_.path);
+    scene_.messages = findings_.sentences(file_.path, file_.counts);
     ObjNormals normals = make_normals(file_, scene_.corners, origins_);
     scene_.normals = std::move(normals.normals);
     scene_.messages.push_back(triangle_count(scene_) > 0

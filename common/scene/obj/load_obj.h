@@ -17,11 +17,12 @@ inline constexpr std::uintmax_t most_obj_bytes = std::uintmax_t{4} << 30;
 // dropped or made up. Polygons become triangles in place, in the order of the file.
 // Throws InputError, with file and line, where no honest scene can be made of it, and MachineError
 // where memory runs out; nothing else.
-Scene load_obj(const std::filesystem::path& path);
+Scene load_obj(const std::filesystem::path& path, Origin origin = Origin::of_file);
 
 // The same, of an OBJ file's text. The path names the file in sentences, and its folder is where
 // the MTL files are looked for.
-Scene parse_obj(std::string_view text, const std::filesystem::path& path);
+Scene parse_obj(std::string_view text, const std::filesystem::path& path,
+                Origin origin = Origin::of_file);
 
 struct ParsedMtl {
     std::vector<Material> materials; // in the order of the file

@@ -72,18 +72,32 @@ std::string renamed_statement(const Rule& rule, std::vector<float> values) {
     return statement(rule.keyword, values);
 }
 
+std::string_view last_word_of_path(std::string_view name) {
+    const std::size_t slash = name.find_last_of("/\\");
+    return slash == std::string_view::npos ? name : name.substr(slash + 1);
+}
+
 std::string complaint(const Rule& rule, std::string_view word) {
     return std::string(rule.keyword) + " " + in_quotes(word) + " is not a number between " +
            shortest_text(static_cast<float>(rule.least)) + " and " +
            shortest_text(static_cast<float>(rule.greatest));
 }
 
-// The rest of MTL and its later extensions for other kinds of shading.
-constexpr std::array<std::string_view, 32> known_but_not_used = {
-    "Ka",      "Km",       "Pc",     "Pcr",      "Pm",       "Pr",       "Ps",     "aniso",
-    "anisor",  "bump",     "decal",  "disp",     "map_Bump", "map_Disp", "map_Ka", "map_Ke",
-    "map_Kt",  "map_Ks",   "map_Ni", "map_Ns",   "map_Pm",   "map_Pr",   "map_Ps", "map_Tf",
-    "map_aat", "map_bump", "map_d",  "map_disp", "map_Tr",   "norm",     "refl",   "sharpness"};
+// The rest of MTL and its later extensions for other kinds of shading. Each is told where it asks
+// for something; those of light from all around, which there is none of here, ask for nothing.
+constexpr std::array<std::string_view, 28> known_but_not_used = {
+    "Km",     "Pc",      "Pcr",      "Pm",       "Pr",       "Ps",       "aniso",
+    "anisor", "bump",    "decal",    "disp",     "map_Bump", "map_Disp", "map_Ke",
+    "map_Kt", "map_Ks",  "map_Ni",   "map_Ns",   "map_Pm",   "map_Pr",   "map_Ps",
+    "map_Tf", "map_aat", "map_bump", "map_disp", "map_Tr",   "norm",     "refl"};
+constexpr std::array<std::string_view, 3> of_ambient_light = {"Ka", "map_Ka", "sharpness"};
+
+bool asks_for_nothing(const std::vector<std::string_view>& words) {
+    return std::find(of_ambient_light.begin(), of_ambient_light.end(), words.front()) !=
+               of_ambient_light.end() ||
+           std::all_of(words.begin() + 1, words.end(),
+                       [](std::string_view word) { return to_number(word) == 0.0; });
+}
 
 bool is_known(std::string_view keyword) {
     return std::find(known_but_not_used.begin(), known_but_not_used.end(), keyword) !=
@@ -93,6 +107,7 @@ bool is_known(std::string_view keyword) {
 class MtlCleaner {
 public:
     void take(const TextLine& line);
+    void end_material();
 
     CleanMtl clean;
 
@@ -105,6 +120,7 @@ private:
     std::string name_;
     std::int64_t line_ = 0;
     bool has_opacity_ = false;
+    bool glows_by_picture_ = false;
 };
 
 void MtlCleaner::take(const TextLine& line) {
@@ -119,13 +135,26 @@ void MtlCleaner::take(const TextLine& line) {
         note("A line before the first newmtl belongs to no material, so it was left out");
     else if (has_mtl_values(keyword))
         take_values(words);
-    else if (keyword == "map_Kd")
-        clean.text.append("map_Kd ").append(after_first_word(line.text)).append("\n");
-    else if (!is_known(keyword))
+    else if (keyword == "map_Kd" || keyword == "map_d")
+        clean.text.append(keyword).append(" ").append(after_first_word(line.text)).append("\n");
+    else if (asks_for_nothing(words))
+        return;
+    else if (is_known(keyword)) {
+        note(std::string(keyword) + " is not shown");
+        glows_by_picture_ = glows_by_picture_ || keyword == "map_Ke";
+    } else
         note("MTL has no statement " + in_quotes(keyword) + ", so the line was left out");
 }
 
+// What glows by a picture would glow all over without it.
+void MtlCleaner::end_material() {
+    if (glows_by_picture_)
+        clean.text += statement("Ke", glm::vec3(0.0f));
+    glows_by_picture_ = false;
+}
+
 void MtlCleaner::begin_material(std::string_view name) {
+    end_material();
     Material material;
     if (name.empty())
         note("newmtl gives no name, so the material is called \"default\"");
@@ -157,6 +186,30 @@ std::vector<std::string_view> names_in(const ObjLibrary& library,
     if (path && std::filesystem::exists(*path, failure))
         return {library.name};
     return split_words(library.name);
+}
+
+bool is_file_inside(const std::filesystem::path& folder, std::string_view name) {
+    const auto path = path_inside(folder, folder, name);
+    std::error_code failure;
+    return path && std::filesystem::is_regular_file(*path, failure);
+}
+
+// The name under which a material file is there; the name itself where it is not.
+std::string found_library(std::string_view name, const std::filesystem::path& obj_path) {
+    const std::filesystem::path folder = folder_of(obj_path);
+    const std::string beside(last_word_of_path(name));
+    const std::string same = obj_path.stem().string() + ".mtl";
+    for (const std::string& place : {std::string(name), beside, same})
+        if (is_file_inside(folder, place))
+            return place;
+    return std::string(name);
+}
+
+// A reason as the end of a sentence.
+std::string without_full_stop(std::string text) {
+    while (text.ends_with('.'))
+        text.pop_back();
+    return text;
 }
 
 // The file's text, or why it cannot be had.
@@ -208,11 +261,23 @@ MtlTexture find_texture(const std::string& name, const std::filesystem::path& mt
                         const std::filesystem::path& inside) {
     if (name.empty())
         return {};
-    const auto path = path_inside(inside, folder_of(mtl_path), name);
-    if (path)
-        return {path->string(), ""};
-    return {"", mtl_path.string() + ": The texture " + in_quotes(name) +
-                    " is not in the folder of the model, so it is left out."};
+    const std::filesystem::path folder = folder_of(mtl_path);
+    const std::string last(last_word_of_path(name));
+    std::string tried;
+    for (const std::string& place : {name, last, "textures/" + last}) {
+        const auto path = path_inside(inside, folder, place);
+        std::error_code failure;
+        if (path && std::filesystem::exists(*path, failure))
+            return {path->string(), ""};
+        const std::string text = path ? path->string() : place + " (outside the model's folder)";
+        if (tried.find(text) == std::string::npos)
+            tried += (tried.empty() ? "" : ", ") + text;
+    }
+    const auto path = path_inside(inside, folder, name);
+    const std::string what = path ? ": There is no texture " + in_quotes(name) + "."
+                                  : ": The texture " + in_quotes(name) +
+                                        " is not in the folder of the model, so it is left out.";
+    return {path ? path->string() : "", mtl_path.string() + what + " Tried: " + tried + "."};
 }
 
 bool has_mtl_values(std::string_view keyword) {
@@ -254,6 +319,7 @@ CleanMtl clean_mtl(std::string_view text) {
     MtlCleaner cleaner;
     while (const std::optional<TextLine> line = lines.next())
         cleaner.take(*line);
+    cleaner.end_material();
     return std::move(cleaner.clean);
 }
 
@@ -262,7 +328,12 @@ MtlFiles read_mtl_files(const ObjFile& file) {
     std::set<std::filesystem::path> seen;
     const std::filesystem::path folder = folder_of(file.path);
     for (const ObjLibrary& library : file.libraries) {
-        for (const std::string_view name : names_in(library, folder)) {
+        for (const std::string_view named : names_in(library, folder)) {
+            const std::string name = found_library(named, file.path);
+            if (name != named)
+                result.findings.note("The material file " + in_quotes(named) +
+                                         " is not there, so " + in_quotes(name) + " was read",
+                                     library.line);
             const auto path = path_inside(folder, folder, name);
             if (!path) {
                 result.findings.note("The material file " + in_quotes(name) +
@@ -277,7 +348,8 @@ MtlFiles read_mtl_files(const ObjFile& file) {
                 result.files.push_back({*path, std::move(outcome.text)});
             else
                 result.findings.note("The material file " + in_quotes(name) +
-                                         " was not read, because " + outcome.problem,
+                                         " was not read, because " +
+                                         without_full_stop(outcome.problem),
                                      library.line);
         }
     }

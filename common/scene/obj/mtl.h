@@ -28,8 +28,10 @@ struct MtlTexture {
     std::string message;
 };
 
-// The name is seen from the folder of the MTL file. A texture outside the folder `inside` is left
-// out; one that is not there keeps its path, so that opening it reports it.
+// The name is seen from the folder of the MTL file. Where there is no such file, those of its last
+// word beside the MTL file, and in `textures` there, are tried, since names of another machine's
+// folders are common. A texture outside the folder `inside` is left out; one that is not there
+// keeps its path, so that opening it reports it. The message names every place that was tried.
 MtlTexture find_texture(const std::string& name, const std::filesystem::path& mtl_path,
                         const std::filesystem::path& inside);
 
@@ -72,9 +74,10 @@ struct MtlFiles {
     ObjFindings findings; // about the OBJ file that names them
 };
 
-// The material files that an OBJ file names, each once. One that is missing, too large, or outside
-// the folder of the OBJ file is left out with a finding: the shape can be shown without its
-// colours.
+// The material files that an OBJ file names, each once. One that is not where it is said to be is
+// looked for by its last word in the folder of the OBJ file, and then by the name of the OBJ file.
+// One that is missing, too large, or outside the folder of the OBJ file is left out with a finding:
+// the shape can be shown without its colours.
 MtlFiles read_mtl_files(const ObjFile& file);
 
 } // namespace raysteps

@@ -22,21 +22,28 @@ std::string joined(const std::vector<std::string_view>& words, std::size_t count
     return text;
 }
 
-std::string checked_coordinates(const std::vector<std::string_view>& words, std::size_t least,
-                                std::size_t most, const std::string& where) {
+double checked_coordinate(std::string_view word, const std::string& where) {
+    const std::optional<double> number = to_number(word);
+    if (!number)
+        throw InputError(where + in_quotes(word) + " is not a number. Check the export.");
+    if (!(std::abs(*number) <= greatest_coordinate))
+        throw InputError(where + in_quotes(word) +
+                         " is not a number between -1.8e18 and 1.8e18. Check the export.");
+    return *number;
+}
+
+void check_count(const std::vector<std::string_view>& words, std::size_t least,
+                 const std::string& where) {
     if (words.size() < 1 + least)
         throw InputError(where + std::string(words[0]) + " has " +
                          std::to_string(words.size() - 1) + " numbers, but needs " +
                          std::to_string(least) + ". Check the export.");
-    for (std::size_t i = 1; i < std::min(1 + most, words.size()); ++i) {
-        const std::optional<double> number = to_number(words[i]);
-        if (!number)
-            throw InputError(where + in_quotes(words[i]) + " is not a number. Check the export.");
-        if (!(std::abs(*number) <= greatest_coordinate))
-            throw InputError(where + in_quotes(words[i]) +
-                             " is not a number between -1.8e18 and 1.8e18. Check the export.");
-    }
-    return joined(words, 1 + most);
+}
+
+// The transfer function of sRGB (IEC 61966-2-1, 1999), backwards.
+float to_linear(double value) {
+    return static_cast<float>(value <= 0.04045 ? value / 12.92
+                                               : std::pow((value + 0.055) / 1.055, 2.4));
 }
 
 bool is_direction(std::string_view word) {
@@ -77,13 +84,30 @@ std::string_view without_empty_end(std::string_view corner) {
 
 } // namespace
 
-std::string checked_vertex(const std::vector<std::string_view>& words, const std::string& where) {
-    return checked_coordinates(words, 3, 3, where);
+glm::dvec3 checked_position(const std::vector<std::string_view>& words, const std::string& where) {
+    check_count(words, 3, where);
+    return {checked_coordinate(words[1], where), checked_coordinate(words[2], where),
+            checked_coordinate(words[3], where)};
+}
+
+glm::vec3 checked_color(const std::vector<std::string_view>& words) {
+    glm::vec3 color(1.0f);
+    for (int i = 0; i < 3; ++i) {
+        const double value =
+            to_number(words[4 + static_cast<std::size_t>(i)]).value_or(std::nan(""));
+        if (std::isnan(value))
+            return glm::vec3(1.0f);
+        color[i] = to_linear(std::clamp(value, 0.0, 1.0));
+    }
+    return color;
 }
 
 std::string checked_texture_coordinate(const std::vector<std::string_view>& words,
                                        const std::string& where) {
-    return checked_coordinates(words, 1, 2, where);
+    check_count(words, 1, where);
+    for (std::size_t i = 1; i < std::min<std::size_t>(3, words.size()); ++i)
+        checked_coordinate(words[i], where);
+    return joined(words, 3);
 }
 
 std::string checked_normal(const std::vector<std::string_view>& words) {

@@ -10,12 +10,17 @@
 
 namespace raysteps {
 
-// Each takes the words of one OBJ statement, keyword first, and gives it back in a form that
-// tinyobjloader reads rightly, with a line end. `where` opens the sentence of an error.
+// Each takes the words of one OBJ statement, keyword first, and gives back its numbers, or all of
+// it in a form that tinyobjloader reads rightly, with a line end. `where` opens the sentence of an
+// error.
 
-// Three coordinates; a weight or a colour behind them is left out. Throws InputError where one is
-// missing, no number, or greater than greatest_coordinate.
-std::string checked_vertex(const std::vector<std::string_view>& words, const std::string& where);
+// Three coordinates of a vertex, in double. Throws InputError where one is missing, no number, or
+// greater than greatest_coordinate.
+glm::dvec3 checked_position(const std::vector<std::string_view>& words, const std::string& where);
+
+// The colour behind the coordinates of a vertex, in sRGB from 0 to 1, as linear RGB; white where it
+// is none.
+glm::vec3 checked_color(const std::vector<std::string_view>& words);
 
 // One or two coordinates; a third is left out. Throws InputError as for a vertex.
 std::string checked_texture_coordinate(const std::vector<std::string_view>& words,

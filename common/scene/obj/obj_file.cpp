@@ -3,6 +3,7 @@
 #include "basics/error.h"
 #include "basics/text.h"
 #include "scene/obj/obj_checks.h"
+#include "scene/scaling.h"
 
 #include <glm/geometric.hpp>
 
@@ -64,13 +65,18 @@ void ObjFindings::note(const std::string& sentence, std::int64_t line) {
         finding.first_lines.push_back(line);
 }
 
-std::vector<std::string> ObjFindings::sentences(const std::filesystem::path& path) const {
+std::vector<std::string> ObjFindings::sentences(const std::filesystem::path& path,
+                                                FindingsCount counts) const {
+    const bool by_face = counts == FindingsCount::faces;
     std::vector<std::string> sentences;
     for (const Finding& finding : findings_) {
-        std::string sentence = place(path, finding.first_lines.front()) + finding.sentence;
+        const std::int64_t first = finding.first_lines.front();
+        std::string sentence = (by_face ? path.string() + ": face " + std::to_string(first) + ": "
+                                        : place(path, first)) +
+                               finding.sentence;
         if (finding.count > 1)
-            sentence += ", " + std::to_string(finding.count) + " times (lines " +
-                        listed(finding.first_lines) +
+            sentence += ", " + std::to_string(finding.count) + " times (" +
+                        (by_face ? "faces " : "lines ") + listed(finding.first_lines) +
                         (finding.count > static_cast<std::int64_t>(most_lines) ? ", ...)" : ")");
         sentences.push_back(sentence + ".");
     }
@@ -157,12 +163,12 @@ namespace {
 
 // What OBJ has beside polygons: groups, lines, points, free-form curves and surfaces, and display
 // attributes (Wavefront, "Object files (.obj)", Advanced Visualizer manual, appendix B1, 1995).
-constexpr std::array<std::string_view, 38> known_but_not_drawn = {
-    "bevel", "bmat", "bsp",    "bzp",       "c_interp",   "call",   "cdc",      "cdp",
-    "con",   "csh",  "cstype", "ctech",     "curv",       "curv2",  "d_interp", "deg",
-    "end",   "g",    "hole",   "l",         "lod",        "maplib", "mg",       "o",
-    "p",     "parm", "res",    "scrv",      "shadow_obj", "sp",     "stech",    "step",
-    "surf",  "t",    "trim",   "trace_obj", "usemap",     "vp"};
+constexpr std::array<std::string_view, 36> known_but_not_drawn = {
+    "bevel", "bmat",      "bsp",        "bzp",   "c_interp", "call",  "cdc",      "cdp",
+    "con",   "csh",       "cstype",     "ctech", "curv",     "curv2", "d_interp", "deg",
+    "end",   "hole",      "l",          "lod",   "maplib",   "mg",    "p",        "parm",
+    "res",   "scrv",      "shadow_obj", "sp",    "stech",    "step",  "surf",     "t",
+    "trim",  "trace_obj", "usemap",     "vp"};
 
 bool is_known(std::string_view keyword) {
     return std::find(known_but_not_drawn.begin(), known_but_not_drawn.end(), keyword) !=
@@ -187,18 +193,21 @@ std::string ObjStatements::next() {
 
 std::string ObjStatements::checked(const std::vector<std::string_view>& words) {
     const std::string_view keyword = words.front();
-    if (keyword == "v")
-        return checked_vertex(words, where());
     if (keyword == "vt")
         return checked_texture_coordinate(words, where());
     if (keyword == "vn")
         return checked_normal(words);
+    face_number_ += keyword == "f" ? 1 : 0;
     if (keyword == "f" && words.size() >= 4)
         return checked_face(words, where());
     if (keyword == "usemtl")
         return "usemtl " + std::string(after_first_word(line_.text)) + '\n';
-    if (keyword == "mtllib")
+    if (keyword == "v")
+        keep_vertex(words);
+    else if (keyword == "mtllib")
         keep_library();
+    else if (keyword == "o" || keyword == "g")
+        keep_object();
     else if (keyword == "s")
         keep_smoothing_group(words);
     else if (keyword == "f")
@@ -208,6 +217,29 @@ std::string ObjStatements::checked(const std::vector<std::string_view>& words) {
                            " (its own are in small letters), so the line was skipped",
                        line_.number);
     return {};
+}
+
+// Behind the place may stand a weight, or a colour of three numbers from 0 to 1.
+void ObjStatements::keep_vertex(const std::vector<std::string_view>& words) {
+    positions_.push_back(checked_position(words, where()));
+    if (words.size() < 7)
+        return;
+    colors_.resize(positions_.size(), glm::vec3(1.0f));
+    colors_.back() = checked_color(words);
+}
+
+// A group has a name of its own where the file names no objects.
+void ObjStatements::keep_object() {
+    const bool is_group = line_.text[line_.text.find_first_not_of(spaces)] == 'g';
+    if (is_group && has_objects_)
+        return;
+    has_objects_ = has_objects_ || !is_group;
+    const std::string name(after_first_word(line_.text));
+    const auto [entry, is_new] =
+        index_of_object_.try_emplace(name, static_cast<int>(objects_.size()));
+    if (is_new)
+        objects_.push_back(name);
+    object_ = entry->second;
 }
 
 void ObjStatements::keep_library() {
@@ -235,10 +267,6 @@ void ObjStatements::keep_smoothing_group(const std::vector<std::string_view>& wo
 ObjReading::ObjReading(std::string_view text, const std::filesystem::path& path)
     : statements_(text, path) {
     file_.path = path;
-}
-
-void ObjReading::take_position(float x, float y, float z) {
-    file_.positions.emplace_back(checked(x), checked(y), checked(z));
 }
 
 void ObjReading::take_texture_coordinate(float x, float y) {
@@ -273,23 +301,63 @@ void ObjReading::begin_face() {
     face.first_corner = file_.corners.size();
     face.material_name = material_name_;
     face.smoothing_group = statements_.smoothing_group();
+    face.number = statements_.face_number();
+    face.object = statements_.object();
     file_.faces.push_back(face);
 }
 
 void ObjReading::take_corner(int position, int texture_coordinate, int normal) {
     const int texture_index =
         to_index(texture_coordinate, file_.texture_coordinates.size(), "texture coordinate");
-    file_.corners.push_back({to_index(position, file_.positions.size(), "vertex"), texture_index,
-                             to_index(normal, file_.normals.size(), "normal")});
+    file_.corners.push_back({to_index(position, statements_.vertex_count(), "vertex"),
+                             texture_index, to_index(normal, file_.normals.size(), "normal")});
     ++file_.faces.back().corner_count;
 }
 
-ObjFile ObjReading::finish() {
+ObjFile ObjReading::finish(Origin origin) {
+    drop_lacking_normals();
     for (const ObjFace& face : file_.faces)
         check_indices(face);
+    place_positions(origin);
+    file_.objects = std::move(statements_.objects());
     file_.libraries = statements_.libraries();
     file_.findings = statements_.findings();
     return std::move(file_);
+}
+
+// Vertices that no face names may lie anywhere.
+void ObjReading::place_positions(Origin origin) {
+    const std::vector<glm::dvec3>& positions = statements_.positions();
+    if (origin == Origin::near_model) {
+        DoubleBox box;
+        for (const ObjCorner& corner : file_.corners)
+            extend(box, positions[static_cast<std::size_t>(corner.position)]);
+        file_.origin = offset_of(box);
+    }
+    file_.positions.reserve(positions.size());
+    for (const glm::dvec3& position : positions)
+        file_.positions.emplace_back(position - file_.origin);
+    file_.colors = std::move(statements_.colors());
+    if (!file_.colors.empty())
+        file_.colors.resize(positions.size(), glm::vec3(1.0f));
+}
+
+// Some exports write 1//1 for every corner and no normal at all: a surface can do without.
+void ObjReading::drop_lacking_normals() {
+    if (!file_.normals.empty())
+        return;
+    for (const ObjFace& face : file_.faces) {
+        bool names_normals = false;
+        for (int i = 0; i < face.corner_count; ++i) {
+            int& normal = file_.corners[face.first_corner + static_cast<std::size_t>(i)].normal;
+            names_normals = names_normals || normal != not_given;
+            normal = not_given;
+        }
+        if (names_normals)
+            statements_.findings().note("A face names normals, but the file has none, so they are "
+                                        "left out",
+                                        face.line);
+    }
 }
 
 float ObjReading::checked(float coordinate) const {
@@ -315,7 +383,7 @@ void ObjReading::check_indices(const ObjFace& face) const {
         if (corner.position == not_given)
             throw InputError(place(file_.path, face.line) +
                              "face has a corner without a vertex. Check the export.");
-        check_index(corner.position, file_.positions.size(), "vertex", face);
+        check_index(corner.position, statements_.vertex_count(), "vertex", face);
         check_index(corner.texture_coordinate, file_.texture_coordinates.size(),
                     "texture coordinate", face);
         check_index(corner.normal, file_.normals.size(), "normal", face);

@@ -16,6 +16,9 @@ namespace raysteps {
 // "bunny.obj:1204: ", the place that a sentence is about.
 std::string place(const std::filesystem::path& path, std::int64_t line);
 
+// What findings in a file are counted by.
+enum class FindingsCount { lines, faces };
+
 // Collects what was corrected or dropped in a file: one sentence for each kind of finding with its
 // count and first lines, however often it was found.
 class ObjFindings {
@@ -24,7 +27,8 @@ public:
     void note(const std::string& sentence, std::int64_t line);
 
     // The sentences about the file, in the order in which their kinds were first found.
-    std::vector<std::string> sentences(const std::filesystem::path& path) const;
+    std::vector<std::string> sentences(const std::filesystem::path& path,
+                                       FindingsCount counts = FindingsCount::lines) const;
 
 private:
     struct Finding {
@@ -36,6 +40,10 @@ private:
     std::vector<Finding> findings_;
     std::unordered_map<std::string, std::size_t> index_of_sentence_;
 };
+
+// From where positions are counted: as in the file, or, where that is too far off for floats, from
+// a point near the model (offset_of in scene/scaling.h).
+enum class Origin { of_file, near_model };
 
 inline constexpr int not_given = -1;
 
@@ -53,6 +61,8 @@ struct ObjFace {
     int corner_count = 0;
     int material_name = not_given;
     int smoothing_group = 0;
+    int number = 0; // of the face in its file, from 1; those that were dropped count
+    int object = 0; // of ObjFile::objects
 };
 
 // The name of a material file, and the line that asks for it.
@@ -61,18 +71,24 @@ struct ObjLibrary {
     std::int64_t line = 0;
 };
 
-// What an OBJ file says, before anything is made of it. Every coordinate is finite, and every index
-// of a corner is in range. A normal is zero where the file gave none that has a direction.
+// What an OBJ file says, or one that is like it, before anything is made of it. Every coordinate is
+// finite, and every index of a corner is in range. A normal is zero where the file gave none that
+// has a direction.
 struct ObjFile {
     std::filesystem::path path;
+    glm::dvec3 origin{0.0}; // was taken from the positions
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> colors; // of the positions, linear RGB; empty where none has one
     std::vector<glm::vec2> texture_coordinates;
     std::vector<glm::vec3> normals;
     std::vector<ObjCorner> corners;
     std::vector<ObjFace> faces;
     std::vector<std::string> material_names;
+    std::vector<std::string> objects; // their names (o, else g)
+    std::vector<int> primitives;      // of the objects, their NamedRun::primitive; or empty
     std::vector<ObjLibrary> libraries;
     ObjFindings findings;
+    FindingsCount counts = FindingsCount::lines; // else `line` is the number of a face
 };
 
 // Coordinates above this are refused: the square of a distance between two such points,
@@ -118,12 +134,13 @@ std::string_view after_first_word(std::string_view text);
 
 // Reads an OBJ text statement by statement and lets through only what tinyobjloader reads rightly:
 // left alone it takes `nan` and `V` for nothing, 4294967297 for 1 and a comment for a corner, all
-// without a word. What it has no callback for, smoothing groups and material files, is kept here.
+// without a word. What it has no callback for, smoothing groups and material files, is kept here,
+// and so are vertices, which it reads as floats, and the names of objects.
 class ObjStatements {
 public:
     ObjStatements(std::string_view text, const std::filesystem::path& path);
 
-    // The next v, vn, vt, f or usemtl statement with a line end; empty after the last.
+    // The next vn, vt, f or usemtl statement with a line end; empty after the last.
     // Throws InputError where a statement cannot be used.
     std::string next();
 
@@ -131,19 +148,37 @@ public:
     std::int64_t line() const { return line_.number; }
     std::string where() const { return place(path_, line_.number); }
     int smoothing_group() const { return smoothing_group_; }
+    int face_number() const { return face_number_; }
+    int object() const { return object_; }
+
+    std::size_t vertex_count() const { return positions_.size(); }
+
+    // What was kept, once all statements were given.
+    std::vector<glm::dvec3>& positions() { return positions_; }
+    std::vector<glm::vec3>& colors() { return colors_; }
+    std::vector<std::string>& objects() { return objects_; }
 
     const std::vector<ObjLibrary>& libraries() const { return libraries_; }
     ObjFindings& findings() { return findings_; }
 
 private:
     std::string checked(const std::vector<std::string_view>& words);
+    void keep_vertex(const std::vector<std::string_view>& words);
     void keep_library();
+    void keep_object();
     void keep_smoothing_group(const std::vector<std::string_view>& words);
 
     std::filesystem::path path_;
     LineReader lines_;
     TextLine line_;
     int smoothing_group_ = 0;
+    int face_number_ = 0;
+    int object_ = 0;
+    bool has_objects_ = false; // by o; then groups (g) are parts of them
+    std::vector<glm::dvec3> positions_;
+    std::vector<glm::vec3> colors_;
+    std::vector<std::string> objects_{""};
+    std::unordered_map<std::string, int> index_of_object_{{"", 0}};
     std::vector<ObjLibrary> libraries_;
     ObjFindings findings_;
 };
@@ -158,7 +193,6 @@ public:
     // The text to be parsed, as ObjStatements gives it.
     std::string next_statement() { return statements_.next(); }
 
-    void take_position(float x, float y, float z);
     void take_texture_coordinate(float x, float y);
     void take_normal(float x, float y, float z);
     void take_material(const std::string& name);
@@ -166,10 +200,12 @@ public:
     void take_corner(int position, int texture_coordinate, int normal);
 
     // After the last statement. Only then is it known how many vertices the file has.
-    ObjFile finish();
+    ObjFile finish(Origin origin);
 
 private:
     float checked(float coordinate) const;
+    void place_positions(Origin origin);
+    void drop_lacking_normals();
     int to_index(int number, std::size_t count, const char* what) const;
     void check_indices(const ObjFace& face) const;
     void check_index(int index, std::size_t count, const char* what, const ObjFace& face) const;

@@ -68,7 +68,8 @@ int read_parameter(const SampleScene& sample, const SampleParameter& parameter,
     }
     throw InputError(
         "There is no scene " + in_quotes(name) + "." + did_you_mean(name, names) +
-        " Give a file that ends in .obj or .toml, or a name that --list-scenes shows.");
+        " Give a model file, such as one that ends in .obj, .ply, .stl or .glb, a .toml file, or a "
+        "name that --list-scenes shows.");
 }
 
 } // namespace

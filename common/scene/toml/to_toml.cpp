@@ -4,13 +4,22 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <algorithm>
+
 namespace raysteps {
 
 namespace {
 
-std::string vec3_text(const glm::vec3& vector) {
+template <class Vector>
+std::string vec3_text(const Vector& vector) {
     return "[" + toml_number_text(vector.x) + ", " + toml_number_text(vector.y) + ", " +
            toml_number_text(vector.z) + "]";
+}
+
+// A place in the coordinates of the files.
+std::string place_text(const Scene& scene, const glm::vec3& place) {
+    return scene.origin == glm::dvec3(0.0) ? vec3_text(place)
+                                           : vec3_text(glm::dvec3(place) + scene.origin);
 }
 
 // Row by row.
@@ -32,22 +41,33 @@ std::string model_text(const Model& model) {
     return text;
 }
 
-std::string camera_text(const Camera& camera) {
-    return "\n[camera]\neye = " + vec3_text(camera.eye) + "\ntarget = " + vec3_text(camera.target) +
-           "\nup = " + vec3_text(camera.up) +
+std::string camera_text(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    return "\n[camera]\neye = " + place_text(scene, camera.eye) +
+           "\ntarget = " + place_text(scene, camera.target) + "\nup = " + vec3_text(camera.up) +
            "\nvertical_field_of_view = " + toml_number_text(camera.vertical_field_of_view) +
            "\naperture = " + toml_number_text(camera.aperture) +
            "\nfocus_distance = " + toml_number_text(camera.focus_distance) +
            "\nsamples = " + std::to_string(camera.samples) + "\n";
 }
 
-std::string light_text(const Light& light) {
-    std::string text = "\n[[light]]\nposition = " + vec3_text(light.position) +
+std::string light_text(const Scene& scene, const Light& light) {
+    std::string text = "\n[[light]]\nposition = " + place_text(scene, light.position) +
                        "\ncolor = " + vec3_text(light.color) + "\n";
     if (has_area(light)) {
         text +=
             "across = " + vec3_text(light.across) + "\nalong = " + vec3_text(light.along) + "\n";
     }
+    return text;
+}
+
+constexpr std::size_t most_runs = 1000;
+
+// A comment ends with its line.
+std::string without_control(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char letter) { return static_cast<unsigned char>(letter) < ' ' || letter == 127; }, '?');
     return text;
 }
 
@@ -62,18 +82,28 @@ std::string to_toml(const Scene& scene) {
     const char* key_of_name = scene.models.empty() ? "sample" : "name";
     std::string text = std::string(key_of_name) + " = " + toml_string_text(scene.name) + "\n";
     text += "background = " + vec3_text(scene.background) + "\n";
+    if (scene.origin != glm::dvec3(0.0)) {
+        text += "origin = " + vec3_text(scene.origin) + "\n";
+    }
     if (scene.lights.empty()) {
         text += "light = []\n"; // no light at all; without the key, two would be placed
     }
     if (scene.sky) {
         text += sky_text(*scene.sky);
     }
-    text += camera_text(scene.camera);
+    text += camera_text(scene);
     for (const Light& light : scene.lights) {
-        text += light_text(light);
+        text += light_text(scene, light);
     }
     for (const Model& model : scene.models) {
         text += model_text(model);
+    }
+    const std::vector<std::string> runs = describe_runs(scene);
+    for (std::size_t i = 0; i < std::min(runs.size(), most_runs); ++i) {
+        text += (i == 0 ? "\n# " : "# ") + without_control(runs[i]) + "\n";
+    }
+    if (runs.size() > most_runs) {
+        text += "# and " + std::to_string(runs.size() - most_runs) + " runs more\n";
     }
     return text;
 }

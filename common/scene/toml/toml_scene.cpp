@@ -1,9 +1,10 @@
 #include "basics/text.h"
 #include "scene/append_model.h"
 #include "scene/frame_scene.h"
+#include "scene/load_model.h"
 #include "scene/load_scene.h"
-#include "scene/obj/load_obj.h"
 #include "scene/obj/obj_file.h"
+#include "scene/pictures.h"
 #include "scene/samples/sample_scenes.h"
 #include "scene/scaling.h"
 #include "scene/toml/toml_values.h"
@@ -189,12 +190,19 @@ int whole_number(const toml::node& node, std::string_view key, TomlRange range) 
     return static_cast<int>(number);
 }
 
-Light light_of(const toml::node& node) {
+// A place in the coordinates of the files, as seen from the origin.
+glm::vec3 place_of(const toml::node& node, std::string_view key, TomlRange range,
+                   const glm::dvec3& origin) {
+    const std::vector<double> numbers = toml_numbers(node, key, 3, range);
+    return as_seen_from(origin, {numbers[0], numbers[1], numbers[2]});
+}
+
+Light light_of(const toml::node& node, const glm::dvec3& origin) {
     const toml::table& table = toml_table(node, "light");
     check_toml_keys(table, "light", {"position", "color", "across", "along"});
     Light light;
-    light.position = toml_vec3(required(table, "position", "a light needs a position."), "position",
-                               any_light_coordinate);
+    light.position = place_of(required(table, "position", "a light needs a position."), "position",
+                              any_light_coordinate, origin);
     if (const toml::node* color = table.get("color")) {
         light.color = toml_color(*color, "color");
     }
@@ -208,15 +216,16 @@ Light light_of(const toml::node& node) {
     return light;
 }
 
-Camera toml_camera(const toml::node& node) {
+Camera toml_camera(const toml::node& node, const glm::dvec3& origin) {
     const toml::table& table = toml_table(node, "camera");
     check_toml_keys(
         table, "camera",
         {"eye", "target", "up", "vertical_field_of_view", "aperture", "focus_distance", "samples"});
     Camera camera;
-    camera.eye = toml_vec3(required(table, "eye", "camera needs an eye."), "eye", any_coordinate);
-    camera.target =
-        toml_vec3(required(table, "target", "camera needs a target."), "target", any_coordinate);
+    camera.eye =
+        place_of(required(table, "eye", "camera needs an eye."), "eye", any_coordinate, origin);
+    camera.target = place_of(required(table, "target", "camera needs a target."), "target",
+                             any_coordinate, origin);
     if (const toml::node* up = table.get("up")) {
         camera.up = toml_vec3(*up, "up", any_coordinate);
     }
@@ -254,10 +263,11 @@ Sky toml_sky(const toml::node& node) {
             color("ground", "sky needs the color of the ground.")};
 }
 
-std::vector<Light> toml_lights(const toml::node& node, int scale_exponent) {
+std::vector<Light> toml_lights(const toml::node& node, const glm::dvec3& origin,
+                               int scale_exponent) {
     std::vector<Light> lights;
     for (const toml::node& light : toml_array(node, "light")) {
-        lights.push_back(scaled(light_of(light), scale_exponent));
+        lights.push_back(scaled(light_of(light, origin), scale_exponent));
     }
     return lights;
 }
@@ -283,13 +293,12 @@ void check_extent(const Scene& scene, const toml::source_region& source) {
     }
 }
 
-Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& folder,
-                        int scale_exponent) {
+Scene load_toml_model(const toml::node& node, const fs::path& folder, int scale_exponent) {
     const toml::table& table = toml_table(node, "model");
     check_toml_keys(table, "model", {"path", "translate", "rotate", "scale", "matrix"});
     const toml::node* path_node = table.get("path");
     if (path_node == nullptr) {
-        throw toml_error(table.source(), "a model needs the path of an OBJ file.");
+        throw toml_error(table.source(), "a model needs the path of its file.");
     }
     const std::string given = toml_string(*path_node, "path");
     const fs::path path = fs::absolute(folder / given).lexically_normal();
@@ -298,33 +307,67 @@ Scene append_toml_model(Scene scene, const toml::node& node, const fs::path& fol
         throw toml_error(path_node->source(), "there is no file " + in_quotes(given) + " in \"" +
                                                   folder.string() + "\". Correct the path.");
     }
-    if (path.extension() != ".obj" && path.extension() != ".OBJ") {
-        throw toml_error(path_node->source(),
-                         in_quotes(given) + " is not an OBJ file. Name a file that ends in .obj.");
+    if (!is_model_path(path)) {
+        throw toml_error(path_node->source(), in_quotes(given) +
+                                                  " is not a model file, such as one that ends in "
+                                                  ".obj, .ply, .stl or .glb. Name one.");
     }
     const glm::vec3 factors(std::ldexp(1.0f, scale_exponent));
     const glm::mat4 transform = glm::scale(glm::mat4(1.0f), factors) * toml_transform(table);
-    Scene model = load_obj(path);
+    Scene model = find_cutouts(load_model(path, Origin::near_model));
     model.models = {{path.string(), transform}};
-    if (scene.corners.size() + model.corners.size() > 3 * most_triangles) {
-        throw toml_error(table.source(), "with this model the scene has more than 16777216 "
-                                         "triangles. Leave some out.");
-    }
-    scene = append_model(std::move(scene), model, transform);
-    check_extent(scene, table.source());
-    return scene;
+    return model;
 }
 
-Scene read_models(const toml::node& models, const fs::path& path, int scale_exponent) {
+// The box of the models where their transforms put them.
+DoubleBox box_in_world(const std::vector<Scene>& models) {
+    DoubleBox box;
+    for (const Scene& model : models) {
+        const Box own = bounds_of(model.corners);
+        const glm::dmat4 transform(model.models.front().transform);
+        for (int i = 0; i < 8 && !is_empty(own); ++i) {
+            const glm::dvec3 corner((i & 1) == 0 ? own.lower.x : own.upper.x,
+                                    (i & 2) == 0 ? own.lower.y : own.upper.y,
+                                    (i & 4) == 0 ? own.lower.z : own.upper.z);
+            extend(box, glm::dvec3(transform * glm::dvec4(corner + model.origin, 1.0)));
+        }
+    }
+    return box;
+}
+
+glm::dvec3 toml_origin(const toml::node& node, int scale_exponent) {
+    const std::vector<double> numbers = toml_numbers(node, "origin", 3, any_coordinate);
+    return std::ldexp(1.0, scale_exponent) * glm::dvec3(numbers[0], numbers[1], numbers[2]);
+}
+
+Scene read_models(const toml::table& file, const fs::path& path, int scale_exponent) {
+    const toml::node& models = *file.get("model");
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::vector<Scene> loaded;
+    std::vector<toml::source_region> sources;
+    std::size_t corners = 0;
+    for (const toml::node& model : toml_array(models, "model")) {
+        loaded.push_back(load_toml_model(model, folder, scale_exponent));
+        sources.push_back(model.source());
+        corners += loaded.back().corners.size();
+        if (corners > 3 * most_triangles) {
+            throw toml_error(model.source(), "with this model the scene has more than 16777216 "
+                                             "triangles. Leave some out.");
+        }
+    }
+    if (loaded.empty()) {
+        throw toml_error(models.source(), "model must name at least one file.");
+    }
     Scene scene;
     scene.name = path.stem().string();
     scene.background = calm_background;
-    for (const toml::node& model : toml_array(models, "model")) {
-        scene = append_toml_model(std::move(scene), model, folder, scale_exponent);
-    }
-    if (scene.models.empty()) {
-        throw toml_error(models.source(), "model must name at least one OBJ file.");
+    const toml::node* origin = file.get("origin");
+    scene.origin =
+        origin != nullptr ? toml_origin(*origin, scale_exponent) : offset_of(box_in_world(loaded));
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        scene = append_model(std::move(scene), loaded[i], loaded[i].models.front().transform);
+        loaded[i] = {};
+        check_extent(scene, sources[i]);
     }
     for (Material& material : scene.materials) {
         material = scaled(std::move(material), scale_exponent);
@@ -361,10 +404,13 @@ Scene read_geometry(const toml::table& table, const fs::path& path, float aspect
     if (sample != nullptr && name != nullptr) {
         throw toml_error(name->source(), "a sample has its own name. Remove name.");
     }
+    if (sample != nullptr && table.contains("origin")) {
+        throw toml_error(table.get("origin")->source(), "a sample has its own origin. Remove it.");
+    }
     if (sample != nullptr) {
         return read_sample(*sample, aspect_ratio, scale_exponent);
     }
-    Scene scene = read_models(*models, path, scale_exponent);
+    Scene scene = read_models(table, path, scale_exponent);
     if (name != nullptr) {
         scene.name = toml_string(*name, "name");
     }
@@ -378,7 +424,7 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
     const int scale_exponent = request.scale_exponent;
     const toml::table table = parse(text, path);
     check_toml_keys(table, "a scene file",
-                    {"name", "sample", "model", "camera", "light", "background", "sky"});
+                    {"name", "sample", "model", "origin", "camera", "light", "background", "sky"});
     Scene scene = read_geometry(table, path, aspect_ratio, scale_exponent);
     if (const toml::node* background = table.get("background")) {
         scene.background = toml_color(*background, "background");
@@ -386,16 +432,17 @@ Scene read_toml_scene(std::string_view text, const fs::path& path, float aspect_
     if (const toml::node* sky = table.get("sky")) {
         scene.sky = toml_sky(*sky);
     }
+    const glm::dvec3 origin = std::ldexp(1.0, -scale_exponent) * scene.origin;
     if (const toml::node* camera = table.get("camera")) {
-        scene.camera = scaled(toml_camera(*camera), scale_exponent);
+        scene.camera = scaled(toml_camera(*camera, origin), scale_exponent);
     } else if (!scene.models.empty()) {
-        scene.camera = frame_camera(scene, aspect_ratio, request.instead);
         scene.messages.push_back("No camera in " + path.string() + ": it was placed to show all.");
+        scene.camera = place_camera(scene, aspect_ratio, request.camera);
     }
     if (const toml::node* lights = table.get("light")) {
-        scene.lights = toml_lights(*lights, scale_exponent);
+        scene.lights = toml_lights(*lights, origin, scale_exponent);
     } else if (!scene.models.empty()) {
-        scene.lights = find_lights(scene);
+        scene.lights = place_model_lights(scene, aspect_ratio);
         scene.messages.push_back("No light in " + path.string() + ": " +
                                  (has_area(scene.lights.front())
                                       ? "what glows in its models is the light."

@@ -43,6 +43,13 @@ std::string toml_number_text(float number) {
     return is_whole ? text + ".0" : text;
 }
 
+std::string toml_number_text(double number) {
+    char buffer[40];
+    const std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+    const bool is_whole = text.find_first_of(".e") == std::string::npos;
+    return is_whole ? text + ".0" : text;
+}
+
 std::string toml_string_text(std::string_view text) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     std::string quoted = "\"";

@@ -13,6 +13,7 @@ namespace raysteps {
 
 // The number as TOML, which reads back to the same bits; it is finite.
 std::string toml_number_text(float number);
+std::string toml_number_text(double number);
 
 // The text in quotation marks, as TOML.
 std::string toml_string_text(std::string_view text);

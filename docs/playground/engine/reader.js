@@ -68,6 +68,13 @@
     return [...files[pass].matchAll(/^\s*#\s*include\s*<([^>]+)>/gm)].map((found) => found[1]);
   }
 
+  // As in C++: a part for cut-outs is asked nothing but a hit, so one of each other part will do.
+  function hasNeedlessCutout(parts) {
+    const isOther = (slot, part) => (parts[slot] ?? part) !== part;
+    return isOther("cutout", "cutout/none.glsl") &&
+      (isOther("triangle", "triangle/watertight.glsl") || isOther("observer", "observer/none.glsl") || isOther("real", "real/float.glsl"));
+  }
+
   function listPrograms() {
     return paths(".frag").flatMap((pass) => {
       let choices = [{ pass, parts: {} }];
@@ -75,7 +82,7 @@
         choices = choices.flatMap((choice) => listParts(slot).map((part) =>
           ({ pass, parts: { ...choice.parts, [slot]: part.file } })));
       }
-      return choices;
+      return choices.filter(({ parts }) => !hasNeedlessCutout(parts));
     });
   }
 

@@ -43,7 +43,7 @@
     const single = walk.replace(/^packet_/, "");
     const parts = {
       real: "real/float.glsl", triangle: play.findPart("triangle", triangle), structure: play.findPart("structure", single),
-      observer: play.findPart("observer", observer),
+      observer: play.findPart("observer", observer), cutout: "cutout/none.glsl",
     };
     if (single !== walk) parts.packet = play.findPart("packet", walk);
     return parts;

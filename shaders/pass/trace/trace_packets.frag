@@ -8,6 +8,7 @@
 #include "core/triangles.glsl"
 #include "core/vector.glsl"
 #include <triangle>
+#include <cutout>
 #include "observer/none.glsl"
 #include <packet>
 

@@ -157,7 +157,7 @@ Walk go_on(Walk walk, Ray ray, real near_enough, int rounds) {
                     Hit hit = intersect_triangle(for_triangles, tested.a, tested.b, tested.c,
                                                  tested.number);
                     triangle = tested.last ? no_bvh_triangle : triangle + 1;
-                    if (is_nearer(hit, nearest)) {
+                    if (is_nearer(hit, nearest) && is_solid(hit)) {
                         nearest = hit;
                         bool found = hit.t <= near_enough;
                         triangle = found ? no_bvh_triangle : triangle;

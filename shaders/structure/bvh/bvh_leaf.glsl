@@ -65,7 +65,7 @@ BvhLeaf test_bvh_leaf(PreparedRay ray, Hit nearest, int triangle, real near_enou
         observe_test(tested.number);
         Hit hit = intersect_triangle(ray, tested.a, tested.b, tested.c, tested.number);
         leaf.triangle = tested.last ? no_bvh_triangle : leaf.triangle + 1;
-        if (is_nearer(hit, leaf.nearest)) {
+        if (is_nearer(hit, leaf.nearest) && is_solid(hit)) {
             leaf.nearest = hit;
             leaf.found = hit.t <= near_enough;
             leaf.triangle = leaf.found ? no_bvh_triangle : leaf.triangle;

@@ -183,7 +183,8 @@ PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {
                         for (int i = 0; i < 4; ++i) {
                             Hit hit = intersect_triangle(for_triangles[i], tested.a, tested.b,
                                                          tested.c, tested.number);
-                            if (is_nearer(hit, walk.nearest[i]) && limits[i] >= hit.t) {
+                            if (is_nearer(hit, walk.nearest[i]) && limits[i] >= hit.t &&
+                                is_solid(hit)) {
                                 walk.nearest[i] = hit;
                                 limits[i] = hit.t <= near_enough ? -real(farthest) : hit.t;
                             }

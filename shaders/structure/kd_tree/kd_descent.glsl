@@ -192,7 +192,7 @@ KdVisit visit_leaf(Walk walk, KdDescent leaf, PreparedRay ray, real end, real ne
         Hit hit =
             intersect_triangle(ray, triangle_corner(triangle, 0), triangle_corner(triangle, 1),
                                triangle_corner(triangle, 2), triangle);
-        if (is_nearer(hit, nearest)) {
+        if (is_nearer(hit, nearest) && is_solid(hit)) {
             nearest = hit;
             found = hit.t <= near_enough;
         }

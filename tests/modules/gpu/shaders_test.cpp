@@ -86,6 +86,7 @@ TEST_CASE("the compiler of this machine names the line of the part that is wrong
     const auto context = make_context(ContextKind::automatic);
     const std::string sentence = sentence_of([] {
         Program("pass/trace/trace.frag", {{"triangle", "exhibit/paper_as_printed.glsl"},
+                                          {"cutout", "cutout/none.glsl"},
                                           {"structure", "structure/every_triangle.glsl"},
                                           {"observer", "observer/none.glsl"}});
     });

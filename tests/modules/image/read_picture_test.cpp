@@ -56,8 +56,8 @@ TEST_CASE("the content says what a picture is and not its name", "[image][pictur
 
 TEST_CASE("what is not a picture is refused with the kinds that can be read", "[image][picture]") {
     const ScratchFolder folder("no_texture");
-    put_bytes(folder / "texture.tga", "this is a text");
-    const std::string error = error_of([&] { read_picture(folder / "texture.tga"); });
-    CHECK(error.find("texture.tga: is not a PNG, JPEG or BMP picture that can be read") !=
+    put_bytes(folder / "texture.gif", "GIF89a, it says");
+    const std::string error = error_of([&] { read_picture(folder / "texture.gif"); });
+    CHECK(error.find("texture.gif: is not a PNG, JPEG, TGA or BMP picture that can be read") !=
           std::string::npos);
 }

@@ -91,8 +91,57 @@ TEST_CASE("material files outside the folder of the model are not read", "[mtl]"
     CHECK_THAT(messages, contains_text("library_outside.obj:1: The material file "
                                        "\"../../dev/zero\" is not in the folder of the model"));
     CHECK_THAT(messages, contains_text("\"/dev/zero\" is not in the folder of the model"));
-    CHECK_THAT(messages, contains_text("\"..\\cube.mtl\" is not in the folder of the model"));
-    CHECK_THAT(messages, contains_text("\"deeper/../../cube.mtl\" is not in the folder"));
+    // One of that name beside the model is another file.
+    CHECK_THAT(messages, contains_text("\"..\\cube.mtl\" is not there, so \"cube.mtl\" was read"));
+    CHECK_THAT(messages, contains_text("\"deeper/../../cube.mtl\" is not there, so \"cube.mtl\""));
+}
+
+TEST_CASE("material files and textures are found beside the model by their last word", "[mtl]") {
+    const ModelFolder folder("found");
+    folder.write("red.mtl", std::string(red) + "map_Kd C:\\work\\a.png\nmap_d pictures/b.png\n");
+    folder.write("textures/a.png", "");
+    const Scene scene =
+        load_obj(folder.write("a.obj", std::string("mtllib scenes/red.mtl\n") + triangle));
+    CHECK(scene.materials.at(0).diffuse == glm::vec3(1, 0, 0));
+    CHECK(scene.materials.at(0).diffuse_map == (folder.path() / "textures/a.png").string());
+    const std::string messages = joined(scene.messages);
+    CHECK_THAT(messages, contains_text("\"scenes/red.mtl\" is not there, so \"red.mtl\" was read"));
+    CHECK_THAT(messages, contains_text("There is no texture \"pictures/b.png\". Tried: " +
+                                       (folder.path() / "pictures/b.png").string() + ", " +
+                                       (folder.path() / "b.png").string() + ", " +
+                                       (folder.path() / "textures/b.png").string() + "."));
+}
+
+TEST_CASE("the material file of the model's own name is found", "[mtl]") {
+    const ModelFolder folder("own_name");
+    folder.write("a.mtl", red);
+    const Scene scene =
+        load_obj(folder.write("a.obj", std::string("mtllib lost.mtl\n") + triangle));
+    CHECK(scene.materials.at(0).name == "red");
+    CHECK_THAT(joined(scene.messages), contains_text("so \"a.mtl\" was read"));
+}
+
+TEST_CASE("what an MTL file asks for in vain is told a keyword a line", "[mtl]") {
+    const ParsedMtl parsed = parse_mtl("newmtl a\nKa 1 1 1\nbump a.png\nPr 0.5\nPm 0\n"
+                                       "newmtl b\nbump b.png\nmap_Ke c.png\nKe 1 1 1\n"
+                                       "newmtl c\nKe 1 1 1\n",
+                                       "test.mtl", ".");
+    CHECK(parsed.messages ==
+          std::vector<std::string>{"test.mtl:3: bump is not shown, 2 times (lines 3, 7).",
+                                   "test.mtl:4: Pr is not shown.",
+                                   "test.mtl:8: map_Ke is not shown."});
+    // What glows by a picture does not glow all over.
+    CHECK(parsed.materials.at(1).emission == glm::vec3(0.0f));
+    CHECK(parsed.materials.at(2).emission == glm::vec3(1.0f));
+}
+
+TEST_CASE("the picture of an opacity is kept", "[mtl]") {
+    const ModelFolder folder("opacity");
+    folder.write("b.png", "");
+    const ParsedMtl parsed =
+        parse_mtl("newmtl a\nmap_d b.png\n", folder.path() / "a.mtl", folder.path());
+    CHECK(parsed.materials.at(0).cutout_map == (folder.path() / "b.png").string());
+    CHECK(parsed.materials.at(0).cutoff == 0.5f);
 }
 
 TEST_CASE("a link does not lead out of the folder of the model", "[mtl]") {

@@ -53,6 +53,17 @@ TEST_CASE("faces with fewer than three corners are dropped and counted by line",
                                               "corners was dropped, 3 times (lines 4, 5, 6)."));
 }
 
+TEST_CASE("normals that a file names and does not have are left out and counted", "[obj]") {
+    const Scene scene =
+        parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//2 3//3\nf 3 2 1\n", "n.obj");
+    CHECK(triangle_count(scene) == 2);
+    CHECK(scene.normals[0] == glm::vec3(0, 0, 1));
+    CHECK_THAT(
+        joined(scene.messages),
+        contains_text("n.obj:4: A face names normals, but the file has none, so they are left "
+                      "out."));
+}
+
 TEST_CASE("words that OBJ does not know are skipped and counted by line", "[obj]") {
     const Loaded capital = load_with_messages("upper_case.obj");
     CHECK(capital.triangles == 0);

@@ -83,9 +83,13 @@ TEST_CASE("the filter changes no answer", "[reference][exact]") {
     int hits = 0;
     int skipped = 0;
     for (const Aim aim : {Aim::anywhere, Aim::at_edges, Aim::at_corners}) {
-        for (const Ray& ray : rays_at(mesh_of(corners), aim, 150, 2.0f, numbers)) {
+        const std::vector<Ray> rays = rays_at(mesh_of(corners), aim, 150, 2.0f, numbers);
+        const std::vector<ReferenceHit> together = exact_nearest_hits(rays, corners);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Ray& ray = rays[i];
             const ReferenceHit expected = exact_nearest_hit_unfiltered(ray, corners);
             REQUIRE(are_equal(exact_nearest_hit(ray, corners), expected));
+            REQUIRE(are_equal(together[i], expected));
             hits += expected.triangle != no_triangle ? 1 : 0;
             for (int triangle = 0; triangle < 65; ++triangle) {
                 skipped += surely_misses(ray, corners_of(triangle, corners)) ? 1 : 0;
@@ -96,6 +100,40 @@ TEST_CASE("the filter changes no answer", "[reference][exact]") {
               << 450 * 65 << " questions, 0 different\n";
     CHECK(hits > 100);
     CHECK(skipped > 450 * 65 / 2); // else it saves nothing
+}
+
+TEST_CASE(
+    "boxes around triangles lose no hit along their sides, of no size and of what is not finite",
+    "[reference][exact]") {
+    const int seed = 5;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    for (const float scale : {0x1p-120f, 1.0f, 0x1p+80f}) {
+        CAPTURE(scale);
+        // A floor of 200 triangles has boxes without height; so has each of its lines of corners.
+        std::vector<glm::vec3> corners;
+        for (int i = 0; i < 100; ++i) {
+            const glm::vec3 a = scale * glm::vec3(i % 10, 0, i / 10);
+            const glm::vec3 b = a + scale * glm::vec3(1, 0, 0);
+            const glm::vec3 c = a + scale * glm::vec3(1, 0, 1);
+            const glm::vec3 d = a + scale * glm::vec3(0, 0, 1);
+            corners.insert(corners.end(), {a, b, c, a, c, d});
+        }
+        corners[0].x = std::numeric_limits<float>::quiet_NaN();
+        corners[10].y = std::numeric_limits<float>::infinity();
+        std::vector<Ray> rays;
+        for (int i = 0; i < 300; ++i) {
+            const glm::vec3 target = corners[static_cast<std::size_t>(i * 7 % 600)];
+            const glm::vec3 origin =
+                i % 2 == 0 ? target + scale * glm::vec3(0, 3, 0) : scale * 5.0f * numbers.in_cube();
+            rays.push_back({origin, target - origin, 0.0f, 10.0f});
+        }
+        const std::vector<ReferenceHit> together = exact_nearest_hits(rays, corners);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            CAPTURE(i);
+            REQUIRE(are_equal(together[i], exact_nearest_hit_unfiltered(rays[i], corners)));
+        }
+    }
 }
 
 TEST_CASE("the filter never calls a hit a sure miss", "[reference][exact]") {

@@ -1,6 +1,7 @@
 #include "basics/error.h"
 #include "basics/text.h"
 #include "catch.h"
+#include "scene/load_model.h"
 #include "scene/load_scene.h"
 
 #include <string>
@@ -45,8 +46,8 @@ TEST_CASE("too many parameters are refused", "[scene]") {
 }
 
 TEST_CASE("an unknown name is refused with the nearest known one", "[scene]") {
-    const std::string advice =
-        "Give a file that ends in .obj or .toml, or a name that --list-scenes shows.";
+    const std::string advice = "Give a model file, such as one that ends in .obj, .ply, .stl or "
+                               ".glb, a .toml file, or a name that --list-scenes shows.";
     REQUIRE(complaint_about("sphere_flake:3") ==
             "There is no scene \"sphere_flake\". Did you mean sphereflake? " + advice);
     REQUIRE(complaint_about("cornell-box") ==
@@ -59,10 +60,10 @@ TEST_CASE("an unknown name is refused with the nearest known one", "[scene]") {
 TEST_CASE("a file of another kind is refused", "[scene]") {
     const std::string path = std::string(RAYSTEPS_SOURCE_DIR) + "/tests/CMakeLists.txt";
     REQUIRE(complaint_about(path) ==
-            path + ": this is not a scene file. Give a file that ends in .obj or .toml.");
+            path + ": this is not a scene file. Give a file that ends in " + scene_endings() + ".");
     const std::string folder = RAYSTEPS_SOURCE_DIR "/tests/modules/scene";
     REQUIRE(complaint_about(folder) ==
-            folder + ": this is a folder. Give a file that ends in .obj or .toml.");
+            folder + ": this is a folder. Give a file that ends in " + scene_endings() + ".");
 }
 
 TEST_CASE("a file that does not exist is refused with its path", "[scene]") {

@@ -112,7 +112,7 @@ TEST_CASE("lights that are none are refused", "[scene][toml]") {
 
 TEST_CASE("models that are none are refused", "[scene][toml]") {
     check({
-        {"model = []\n", "1:9", "at least one OBJ file"},
+        {"model = []\n", "1:9", "at least one file"},
         {"model = 'a.obj'\n", "1:9", "model must be an array"},
         {"[[model]]\nscale = 2\n", "1:1", "a model needs the path"},
         {"[[model]]\npath = 3\n", "2:8", "path must be a text"},

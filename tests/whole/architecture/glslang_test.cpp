@@ -46,6 +46,7 @@ TEST_CASE("glslang names the line of a part that is wrong", "[architecture][shad
     const ShaderText shader =
         read_shader("pass/trace/trace.frag", {{"real", "real/float.glsl"},
                                               {"triangle", "exhibit/paper_as_printed.glsl"},
+                                              {"cutout", "cutout/none.glsl"},
                                               {"structure", "structure/every_triangle.glsl"},
                                               {"observer", "observer/none.glsl"}});
     CHECK_THAT(complaints(folder, shader, "frag"),

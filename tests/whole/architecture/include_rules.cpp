@@ -111,6 +111,7 @@ const std::vector<PackageRule> package_rules{
     {"EGL/", {"common/gpu/context/egl.cpp", "visualizer/vtk/"}},
     {"GLFW/", {"common/gpu/context/window.cpp", "common/program/window/glfw/"}},
     {"tiny_obj_loader.h", {"common/scene/obj/load_obj.cpp"}},
+    {"assimp/", {"common/scene/import/importer/there/"}},
     {"toml++/", {"common/scene/toml/"}},
     {"stb_", {"common/image/"}},
     {"CLI/", {"common/program/", "visualizer/"}},

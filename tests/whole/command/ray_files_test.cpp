@@ -139,13 +139,13 @@ TEST_CASE("rays and hits as text agree with those in binary", "[command]") {
     CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.f32").exit_code == 0);
     CHECK(hits_of(workplace.read("hits.f32")) == known_hits);
     CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.csv").exit_code == 0);
-    CHECK(workplace.read("hits.csv") == "t,u,v,triangle\n"
-                                        "1,0.25,0.5,0\n"
-                                        "2,0.25,0.5,1\n"
-                                        "1.5,0.25,0.25,0\n"
-                                        "7,0,0,-1\n"
-                                        "0.5,0,0,-1\n"
-                                        "3,0.5,0.25,1\n");
+    CHECK(workplace.read("hits.csv") == "t,u,v,triangle,name\n"
+                                        "1,0.25,0.5,0,\"two.obj, face 1\"\n"
+                                        "2,0.25,0.5,1,\"two.obj, face 2\"\n"
+                                        "1.5,0.25,0.25,0,\"two.obj, face 1\"\n"
+                                        "7,0,0,-1,\n"
+                                        "0.5,0,0,-1,\n"
+                                        "3,0.5,0.25,1,\"two.obj, face 2\"\n");
 }
 
 TEST_CASE("no rays give no hits", "[command]") {
@@ -157,5 +157,5 @@ TEST_CASE("no rays give no hits", "[command]") {
     CHECK(trace(workplace, "02_triangles", "rays.f32", "hits.f32").exit_code == 0);
     CHECK(workplace.read("hits.f32").empty());
     CHECK(trace(workplace, "02_triangles", "rays.csv", "hits.csv").exit_code == 0);
-    CHECK(workplace.read("hits.csv") == "t,u,v,triangle\n");
+    CHECK(workplace.read("hits.csv") == "t,u,v,triangle,name\n");
 }

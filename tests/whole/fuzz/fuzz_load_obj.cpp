@@ -1,9 +1,12 @@
-// Whatever the bytes are, as an OBJ file and as an MTL file they end in a sound scene or in an
-// InputError. Anything else stops the program, and libFuzzer keeps the bytes.
+// Whatever the bytes are, as an OBJ, MTL or PLY file and as what the importer hands over they end
+// in a sound scene or in an InputError. Anything else stops the program, and libFuzzer keeps the
+// bytes.
 #include "modules/load_obj/first_fault.h"
 
 #include "basics/error.h"
+#include "scene/import/mesh_file.h"
 #include "scene/obj/load_obj.h"
+#include "scene/ply/load_ply.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,11 +39,29 @@ void try_mtl(std::string_view text) {
     }
 }
 
+void try_ply(std::string_view bytes) {
+    try {
+        demand(first_fault(
+            raysteps::parse_ply(bytes, RAYSTEPS_CORPUS "/fuzz.ply", raysteps::Origin::near_model)));
+    } catch (const raysteps::InputError&) {
+    }
+}
+
+void try_mesh_file(std::string_view bytes) {
+    try {
+        for (const auto& material : raysteps::read_mesh_file(bytes, "fuzz").materials)
+            demand(material.opacity >= 0 && material.opacity <= 1 ? "" : "an opacity is no part");
+    } catch (const raysteps::InputError&) {
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     try_obj(text);
     try_mtl(text);
+    try_ply(text);
+    try_mesh_file(text);
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "core/vector.glsl"
 #include "light/leave_surface.glsl"
 #include <triangle>
+#include "cutout/none.glsl"
 #include <observer>
 #include <structure>
 #include "core/queries.glsl"

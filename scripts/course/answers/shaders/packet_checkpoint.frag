@@ -7,6 +7,7 @@
 #include "core/triangles.glsl"
 #include "core/vector.glsl"
 #include <triangle>
+#include "cutout/none.glsl"
 #include <observer>
 #include <packet>
 #include "probes.glsl"

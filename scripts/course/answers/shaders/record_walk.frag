@@ -10,6 +10,7 @@
 #include "core/triangles.glsl"
 #include "core/vector.glsl"
 #include <triangle>
+#include "cutout/none.glsl"
 #include <observer>
 #include <structure>
 
