@@ -32,10 +32,10 @@ packages_to_test=(
   clang libclang-rt-dev clang-format gappa
 )
 
-# The browser that reads the book. Ubuntu has none among its packages: there these tests are skipped.
+# The browsers that read the book and run the playground. Ubuntu has none among its packages: there these tests are skipped.
 packages_to_browse=()
 if grep -qs '^ID=debian' /etc/os-release; then
-  packages_to_browse=(chromium chromium-driver python3-selenium)
+  packages_to_browse=(chromium chromium-driver python3-selenium firefox-esr)
 fi
 
 is_installed() {

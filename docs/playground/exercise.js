@@ -42,7 +42,7 @@
     const exercise = await play.openExercise(number);
     const { file } = exercise;
     const { workbook } = play;
-    let whole = false;
+    let whole = !file.startsWith("shaders/"); // the contract of a whole walk stands at the top of its file
     let gpu = null;
     let run = null;
     let waiting = 0;
@@ -134,10 +134,10 @@
     }
 
     function reset() {
-      const project = play.files[exercise.path];
-      let text = play.blank(project);
+      let text = play.blank(file, workbook.seed());
       try {
-        if (ownRegion()) text = play.withCode(workbook.text(file), file, { [number]: play.regions(project, file)[number].stub });
+        const region = ownRegion();
+        if (region) text = play.withCode(workbook.text(file), file, { [number]: play.stubOf(exercise, region.code, workbook.seed()) });
       } catch (error) {
         if (!isUserError(error)) throw error; // its marks are broken: the whole file starts anew
       }
@@ -160,7 +160,7 @@
       const text = await given.text();
       opener.value = "";
       try {
-        const wanted = Object.keys(play.regions(play.files[exercise.path], file));
+        const wanted = Object.keys(play.regions(play.projectText(file), file));
         const found = Object.keys(play.regions(text, given.name));
         const missing = wanted.filter((each) => !found.includes(each)).sort();
         if (missing.length) {
@@ -258,7 +258,13 @@
       const { mine, right, difference, rays, stopped } = outcome;
       play.show(canvases.yours, mine.pixels);
       play.show(canvases.right, (right ?? mine).pixels);
-      canvases.difference.parentElement.hidden = !difference;
+      canvases.difference.parentElement.hidden = !difference || exercise.isHunt;
+      canvases.right.parentElement.hidden = exercise.isHunt;
+      if (exercise.isHunt) {
+        seen.textContent = "Where this picture is wrong is what you hunt: so no right one stands beside it.";
+        canvases.yours.ariaLabel = `${exercise.picture.scene} by your text`;
+        return;
+      }
       if (difference) play.show(canvases.difference, difference.pixels);
       const differing = difference?.differing ?? 0;
       seen.textContent = stopped ? stopped.sentence : differing === 0 ? "The picture has the bits of the project's in every pixel."

@@ -15,6 +15,7 @@ document.addEventListener("begun", () => {
       const used = Object.fromEntries(Object.entries(edits).filter(([path]) => files.includes(path)));
       link = location.href.replace(/#.*/, "") + await play.writeLink({
         choices, file: page.file(), pixel: page.looked()?.every((place) => place < choices.size) ? page.looked() : null, step: page.step?.(), edits: used,
+        open: [...document.querySelectorAll("main > details[open]")].map(({ id }) => id).filter((id) => id !== "steps" || page.step?.() === undefined),
       });
     } catch (error) {
       if (!(error instanceof play.PlayError)) throw error;

@@ -4,7 +4,9 @@
 (() => {
   const { play } = Raysteps;
   // In localStorage: the choices and all edited texts. What a reader does to those of a link is kept beside the reader's own.
-  const kept = `raysteps.playground${location.hash.length > 1 ? ".link" : ""}`;
+  // A page in a lesson has a place of its own.
+  const isFramed = window.parent !== window;
+  const kept = `raysteps.playground${isFramed ? location.hash : location.hash.length > 1 ? ".link" : ""}`;
   const restOfKeys = 400; // milliseconds without a key before a text is compiled
   const find = (id) => document.getElementById(id);
   const initial = { scene: "mirrors", walk: "bvh_ordered", triangle: "watertight", view: "normals", size: 256 };
@@ -20,6 +22,7 @@
   let waiting = 0;
   let turn = 0;
   let looked = null; // at which pixel
+  const sections = [...document.querySelectorAll("main > details")].map(({ id }) => id);
 
   function recall() {
     try {
@@ -116,8 +119,9 @@
   async function asked() {
     try {
       const known = Object.fromEntries(Object.entries(onPage).map(([name, names]) => [name, names()]));
+      known.open = sections;
       const linked = await play.readLink(location.hash, known);
-      if (linked) find("link-said").textContent = "This page is as its link says. Your own texts are kept beside it: they are on the page without the link.";
+      if (linked && !isFramed) find("link-said").textContent = "This page is as its link says. Your own texts are kept beside it: they are on the page without the link.";
       return { ...linked, ...recall() };
     } catch (error) {
       if (!(error instanceof play.PlayError)) throw error;
@@ -214,6 +218,15 @@
   }
 
   async function begin() {
+    try {
+      await play.openShaders();
+    } catch (error) {
+      if (!(error instanceof play.PlayError)) throw error;
+      document.body.dataset.state = "without";
+      find("still").hidden = !(find("mine").hidden = true);
+      say(error.message);
+      return;
+    }
     const before = await asked();
     try {
       gpu = play.openGpu();
@@ -267,7 +280,11 @@
     }
     // For the other sections of the page, which hear "ran" and "looked" of the document, and whoever looks in from outside.
     looked = before.pixel ?? null;
-    play.page = { gpu, run, editor, begun: before, open, look, looked: () => looked, file: () => file };
+    play.page = { gpu, run, go, editor, begun: before, open, look, looked: () => looked, file: () => file };
+    for (const section of before.open ?? []) {
+      find(section).open = true;
+      find(section).classList.add("asked"); // what a lesson is about stands first in it
+    }
     document.dispatchEvent(new Event("begun"));
     if (!gpu) return;
     gpu.onLost = () => {
@@ -288,5 +305,10 @@
     if (looked && Math.max(...looked) < run.choices.size) look(...looked);
   }
 
+  // In a lesson the page is as high as what it shows.
+  if (isFramed) {
+    document.body.classList.add("framed");
+    new ResizeObserver(() => window.parent.postMessage({ playgroundHeight: document.documentElement.offsetHeight }, "*")).observe(document.documentElement);
+  }
   begin();
 })();

@@ -78,7 +78,7 @@ document.addEventListener("begun", () => {
   function summary(one) {
     if (!one) return "no step";
     const tests = one.tested.length && shown.noun !== "triangle" ? `, tests ${one.tested.join(" ")}` : "";
-    return `${shown.noun} ${one.place}${tests}`;
+    return `${play.nameOfPlace(shown.scene, shown.walk, one)}${tests}`;
   }
 
   function fillList() {
@@ -101,10 +101,10 @@ document.addEventListener("begun", () => {
     const { mine, right, parting, count, pixel } = shown;
     const together = parting < 0 ? "The two walks are the same in every step." : parting === i ? "Here the two walks part." : `They part at step ${parting + 1}.`;
     if (i >= count) return `The end of the walks at pixel (${pixel}). Yours: ${endOf(mine)}. The right one: ${endOf(right)}. ${together}`;
-    const tell = (one) => (one ? `${summary(one)}; hit so far: ${inWords(one.nearest)}` : "it has ended");
-    const [own, other] = [mine.steps[i], right.steps[i]];
+    const tell = (walk) => (walk.steps[i] ? play.sentenceOfStep(shown.scene, shown.walk, walk, i).replace(/^step \d+: /, "") : "it has ended");
+    const own = mine.steps[i];
     const both = parting < 0 || i < parting;
-    return `Step ${i + 1} of ${count}${own ? `, round ${own.round}` : ""}. ${both ? "Both" : "Yours"}: ${tell(own)}. ${both ? "" : `The right one: ${tell(other)}. `}${together}`;
+    return `Step ${i + 1} of ${count}${own ? `, round ${own.round}` : ""}. ${both ? "Both" : "Yours"}: ${tell(mine)}. ${both ? "" : `The right one: ${tell(right)}. `}${together}`;
   }
 
   function move(to) {
@@ -245,7 +245,7 @@ document.addEventListener("begun", () => {
   find("steps-part").addEventListener("click", () => move(shown.parting));
   find("steps-save").addEventListener("click", () => {
     const { name, walk, mine, pixel } = shown;
-    const recorded = play.recordedSteps(mine, { name: `${walk} at pixel (${pixel}) of ${name}`, scene: name, walk });
+    const recorded = play.recordedSteps(mine, { name: `${walk} at pixel (${pixel}) of ${name}`, scene: name, of: shown.scene, walk });
     play.save(`steps_${walk}_${name.replace(/\W/g, "_")}.json`, `${JSON.stringify(recorded, null, 1)}\n`);
   });
   panel.addEventListener("toggle", record);

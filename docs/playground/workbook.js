@@ -1,6 +1,7 @@
 // The reader's workbook: a copy of each file that has exercises, with stubs in the place of solutions, kept by the browser.
 //
 //   play.workbook.text(file)          as it is now; file: "shaders/structure/bvh/bvh_skip.glsl"
+//   play.workbook.seed()              a number of four digits, which chooses the mistakes that are hunted
 //   play.workbook.write(file, text, who)     `who` wrote it, and is not told
 //   play.workbook.replace(file, text, who)   the same, and what stood there can be taken back
 //   play.workbook.takeBack(file, who)        does so; true where there was something
@@ -23,12 +24,15 @@
       return empty;
     }
   }
-  function keep(who) {
+  function store() {
     try {
       localStorage.setItem(kept, JSON.stringify(book));
     } catch {
       // A browser that keeps nothing still checks everything; Save writes a file.
     }
+  }
+  function keep(who) {
+    store();
     for (const other of watching) if (other !== who) other();
   }
   addEventListener("storage", ({ key }) => {
@@ -37,8 +41,16 @@
     for (const other of watching) other();
   });
 
-  const pathOf = (file) => file.replace(/^shaders\//, "");
-  const text = (file) => book.texts[file] ?? play.blank(play.files[pathOf(file)]);
+  const text = (file) => book.texts[file] ?? play.blank(file, seed());
+
+  // Chooses what is hunted, in this workbook.
+  function seed() {
+    if (book.seed === undefined) {
+      book.seed = 1000 + Math.floor(9000 * Math.random());
+      store();
+    }
+    return book.seed;
+  }
 
   function write(file, changed, who) {
     if (text(file) === changed) return;
@@ -79,7 +91,7 @@
     if (code === null) return "missing";
     const known = book.states[exercise.number];
     if (known && known.code === code) return known.state;
-    return play.isStub({ ...exercise, path: pathOf(exercise.file) }, text(exercise.file)) ? "not started" : "not checked";
+    return play.isStub(exercise, text(exercise.file)) ? "not started" : "not checked";
   }
 
   function watch(who) {
@@ -87,5 +99,5 @@
     return () => watching.splice(watching.indexOf(who), 1);
   }
 
-  play.workbook = { text, write, replace, takeBack, hasBefore, state, remember, watch };
+  play.workbook = { text, seed, write, replace, takeBack, hasBefore, state, remember, watch };
 })();

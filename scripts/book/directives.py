@@ -5,6 +5,7 @@
     <!-- walk: grid -->                                           a figure to turn and step
     <!-- list: exercises -->                                      exercises, or sources
     <!-- play: 6.2 -->                                            that exercise, to be written and checked in the page
+    <!-- play: scene=mirrors&view=shaded&open=plan -->            the playground, as a link with that hash has it
 """
 
 import hashlib
@@ -86,7 +87,16 @@ def _list(name, links, page):
     return LISTS[name](links, page)
 
 
+CHOICES = {"scene", "walk", "triangle", "view", "size", "file", "open"}
+
+
 def _play(number, links, _page):
+    if "=" in number:
+        unknown = {choice.split("=")[0] for choice in number.split("&")} - CHOICES
+        if unknown:
+            raise BookError(f"the playground has no choice {min(unknown)}. Take one of {', '.join(sorted(CHOICES))}.")
+        link = html.escape(f"#{number}")
+        return [f'<div class="play" data-play="{link}">', f'<p><a href="playground/index.html{link}">Open it in the playground</a></p>', "</div>"]
     exercise = next((each for each in shader_exercises(links.root) if each.number == number), None)
     if exercise is None:
         raise BookError(f"{number} is no exercise in a shader. Name one of exercises.toml.")

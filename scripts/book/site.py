@@ -9,6 +9,7 @@ from pathlib import Path
 from drawings.palette import page_style
 from playground.data import copy_page
 
+from .editor_library import fetch_editor
 from .errors import BookError, MachineError
 from .interfaces import make_interfaces
 from .pages import make_pages
@@ -82,7 +83,7 @@ def make_site(root, store, say):
     viewer = fetch_viewer(root, store / "viewer", say)
     order = make_pages(root, pages, store / "figures", viewer is not None)
     _copy_assets(root, pages, viewer)
-    copy_page(root, store / "playground", pages / "playground")
+    copy_page(root, store / "playground", pages / "playground", fetch_editor(root, store / "viewer", say))
     make_interfaces(root, pages / "api", say)
     file = store / "mkdocs.yml"
     file.write_text(json.dumps(settings(pages, site, order, root / THEME), indent=1))

@@ -17,7 +17,7 @@ PROGRAM = "scripts/playground/playground_scene"
 PROGRAMS = (PROGRAM, "scripts/course/answers/course_shaders")
 SCENES = ("mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page in the repository
 LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
-ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
+ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "leave_no_corner.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
 ENDINGS = (".glsl", ".frag", ".vert")
 WIDTH = 120  # characters in a line of base64
 
@@ -30,14 +30,8 @@ def shader_files(root):
     return files | {name: (root / PAGE / "engine" / name).read_text(encoding="utf-8") for name in ENGINE_SHADERS}
 
 
-def shaders_script(root):
-    """One line a file, so that a change of one is a change of one line."""
-    lines = ",\n".join(f"{json.dumps(path)}: {json.dumps(text)}" for path, text in shader_files(root).items())
-    return f"// Made by `python3 -B scripts/playground data` of shaders/ and engine/: do not edit.\nRaysteps.play.addFiles({{\n{lines}\n}});\n"
-
-
 def packed_script(call, name, packed):
-    """A script that hands these bytes to a function of the page: addScene or addChapter."""
+    """A script that hands these bytes to a function of the page: addShaders, addScene or addChapter."""
     text = base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
     lines = "\n".join(text[i:i + WIDTH] for i in range(0, len(text), WIDTH))
     return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.{call}({json.dumps(name)}, `{lines}`);\n"
@@ -68,10 +62,10 @@ def pack_scene(build, name):
 def write_data(root, build, folder):
     """Writes all scripts into the folder. Where a script has the same bytes packed already, it stays."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "shaders.js").write_text(shaders_script(root), encoding="utf-8")
     (folder / "scenes.js").write_text(offers_script(SCENES))
-    (folder / "exercises.js").write_text(list_script(shader_exercises(root)), encoding="utf-8")
-    made = [("addScene", name, folder / scene_file(name), pack_scene(build, name)) for name in SCENES]
+    (folder / "exercises.js").write_text(list_script(root, shader_exercises(root)), encoding="utf-8")
+    made = [("addShaders", "shaders", folder / "shaders.js", json.dumps(shader_files(root)).encode())]
+    made += [("addScene", name, folder / scene_file(name), pack_scene(build, name)) for name in SCENES]
     made += [("addChapter", name, folder / chapter_file(name), packed) for name, packed in pack_chapters(root, build)]
     for call, name, file, packed in made:
         if not file.exists() or packed_in(file.read_text()) != packed:
@@ -91,16 +85,23 @@ def write_large_scenes(build, folder, say):
             file.write_text(packed_script("addScene", name, pack_scene(build, name)))
 
 
-def copy_page(root, large, to):
-    """The page and all that it needs, with the large scenes that the folder `large` has."""
+def _replace_in(file, old, new):
+    file.write_text(file.read_text().replace(old, new))
+
+
+def copy_page(root, large, to, editor=None):
+    """The page and all that it needs, with the large scenes that the folder `large` has, and with the editor where there is one."""
     shutil.rmtree(to, ignore_errors=True)
     shutil.copytree(root / PAGE, to)
+    if editor:
+        shutil.copyfile(editor, to / "codemirror.js")
+        _replace_in(to / "index.html", '<script defer src="editor.js">', '<script defer src="codemirror.js"></script>\n<script defer src="editor.js">')
+        _replace_in(to / "load.js", '"editor.js"', '"codemirror.js", "editor.js"')
     offers = [name for name in LARGE_SCENES if (large / scene_file(name)).exists()]
     if not offers:
         return
     for name in offers:
         shutil.copyfile(large / scene_file(name), to / "data" / scene_file(name))
     (to / "data" / "offers.js").write_text(offers_script(offers))
-    page = to / "index.html"
     own = '<script defer src="editor.js"></script>'
-    page.write_text(page.read_text().replace(own, f'<script defer src="data/offers.js"></script>\n{own}'))
+    _replace_in(to / "index.html", own, f'<script defer src="data/offers.js"></script>\n{own}')

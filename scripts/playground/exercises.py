@@ -3,6 +3,7 @@
 The C++ program course_shaders resolves each question: the rays as bits, what the project's own sources find for them, and
 the scene with the very structure that it walked. Solutions and mistakes are left out; the stubs stand in shaders/ itself."""
 
+import base64
 import json
 import re
 import struct
@@ -10,19 +11,21 @@ import tempfile
 from pathlib import Path
 
 from course import engine as engines
+from course import marks
 from course.errors import MachineError
 from course.exercises import bits, load
 from course.formulas import plain
 
 SHADERS = "scripts/course/answers/shaders"
 SMALLEST = "tetrahedron:0"
+MOST_RAYS = 1024  # of a checkpoint: the hunt for spots has twice as many, which are 70 kB
 INITIAL = re.compile(r"^uniform int (\w+) = (\d+);", re.MULTILINE)
-ASKED = ("kind", "subject", "triangle", "structure", "steps", "width", "height", "points", "counts", "zeros")
+ASKED = ("kind", "subject", "triangle", "structure", "observer", "steps", "width", "height", "points", "counts", "zeros")
 
 
 def shader_exercises(root):
-    """Those whose lines stand in a shader of the project, with a stub in their place."""
-    return [exercise for exercise in load(root) if exercise.file.startswith("shaders/") and exercise.region.stub]
+    """Those in shaders. The lines of a whole walk stand in a file of its own, which takes the place of the project's walk."""
+    return [exercise for exercise in load(root) if exercise.is_shader]
 
 
 def chapter_file(chapter):
@@ -70,6 +73,7 @@ def _checkpoint(checkpoint, answer, packed, blob):
     made |= {"name": checkpoint.name, "where": checkpoint.where, "given": checkpoint.given, "tolerance": checkpoint.tolerance,
              "values": checkpoint.values, "numbers": question.get("numbers", {}), "observed": getattr(checkpoint, "observed", False),
              "known": [_known(entry, checkpoint.values) for entry in checkpoint.known]}
+    answer = engines.Answer(answer.rays[:MOST_RAYS], [step[:MOST_RAYS] if answer.rays else step for step in answer.steps])
     if question["kind"] == "rays":  # the camera is all that they need
         length = struct.unpack("<I", packed[:4])[0]
         made |= {"scene_name": question["scene"], "view": json.loads(packed[4:4 + length])["view"]}
@@ -79,34 +83,32 @@ def _checkpoint(checkpoint, answer, packed, blob):
                    "answers": [blob.add(_words(step)) for step in answer.steps]}
 
 
-def _resolve(engine, chapter, exercises, blob):
+def _resolve(engine, exercise, blob):
     """What the program answers, for all checkpoints but pictures."""
     with tempfile.TemporaryDirectory(prefix="raysteps_playground_") as folder:
-        asked = [(exercise, checkpoint, Path(folder) / f"{exercise.number}_{place}") for exercise in exercises
-                 for place, checkpoint in enumerate(exercise.checkpoints) if checkpoint.question["kind"] != "picture"]
+        asked = [(checkpoint, Path(folder) / str(place)) for place, checkpoint in enumerate(exercise.checkpoints)
+                 if checkpoint.question["kind"] != "picture"]
         questions, packing = [], []
-        for _, checkpoint, file in asked:
+        for checkpoint, file in asked:
             question = dict(checkpoint.question)
             if question["kind"] == "checkpoint" and "scene" in question:
                 question["packed"] = str(file)
             else:
                 packing.append(_packing(question, file))
             questions.append(question)
-        answers = engines.ask(engine, engine.shaders_program(), chapter, questions + packing)
+        answers = engines.ask(engine, engine.shaders_program(), exercise.chapter, questions + packing)
         if isinstance(answers, engines.Failure):
             raise MachineError(f"the project's own sources give no answer: {answers.message}")
-        made = {exercise.number: [] for exercise in exercises}
-        for (exercise, checkpoint, file), answer in zip(asked, answers):
-            made[exercise.number].append(_checkpoint(checkpoint, answer, file.read_bytes(), blob))
-        return made
+        return [_checkpoint(checkpoint, answer, file.read_bytes(), blob) for (checkpoint, file), answer in zip(asked, answers)]
 
 
-def _shaders(root, chapter):
+def _shaders(root, chapter, exercises):
     """What checkpoints are made of. WebGL has no initial values of uniforms: they are numbers beside the text."""
     files, numbers = {}, {}
+    written = {root / exercise.file for exercise in exercises}
     for folder in (SHADERS, f"chapters/{chapter}/exercises"):
         for path in sorted((root / folder).iterdir()):
-            if path.suffix in (".glsl", ".frag"):
+            if path.suffix in (".glsl", ".frag") and path not in written:
                 text = path.read_text(encoding="utf-8")
                 numbers |= {name: int(value) for name, value in INITIAL.findall(text)}
                 files[path.name] = INITIAL.sub(r"uniform int \1;", text)
@@ -117,6 +119,9 @@ def _picture(exercise):
     """A picture that goes through the exercise's function, as choices of the page."""
     questions = [checkpoint.question for checkpoint in exercise.checkpoints]
     asked = next((question for question in questions if question["kind"] == "picture"), questions[0])
+    if asked["subject"] == "whitted":
+        return {"walk": "bvh_ordered", "triangle": "watertight", "view": "shaded",
+                "scene": "cornell_box" if asked["scene"] == "cornell_box" else "mirrors"}
     walk = asked.get("structure", "every_triangle")
     return {"walk": walk, "triangle": asked.get("triangle", "watertight"), "view": "normals",
             "scene": "tetrahedron:2" if walk == "every_triangle" else "mirrors"}
@@ -125,21 +130,32 @@ def _picture(exercise):
 def pack_chapter(root, engine, chapter, exercises):
     """The bytes of a chapter: the length of the JSON head, the head, and the arrays that it names."""
     blob = _Blob()
-    resolved = _resolve(engine, chapter, exercises, blob)
-    files, numbers = _shaders(root, chapter)
+    files, numbers = _shaders(root, chapter, exercises)
     head = {"files": files, "numbers": numbers, "exercises": [
         {"number": exercise.number, "title": exercise.title, "file": exercise.file, "chapter": chapter, "task": exercise.task,
          "formulas": [plain(formula) for formula in exercise.formulas], "hints": exercise.hints, "source": exercise.source,
-         "picture": _picture(exercise), "checkpoints": resolved[exercise.number]} for exercise in exercises]}
+         "picture": _picture(exercise), "checkpoints": _resolve(engine, exercise, blob)} for exercise in exercises]}
     text = json.dumps(head, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return struct.pack("<I", len(text)) + text + blob.bytes
 
 
-def list_script(exercises):
-    """Number, title, file and chapter of each."""
-    lines = ",\n".join(json.dumps([e.number, e.title, e.file, e.chapter]) for e in exercises)
-    return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.addExercises([\n{lines}\n]);\n"
+def _unsolved(text, name):
+    """A file of an exercise as it is, but for the solution."""
+    return marks.with_code(text, name, {number: [f"//# stub: {line}" for line in region.stub]
+                                        for number, region in marks.regions(text, name).items()})
+
+
+def list_script(root, exercises):
+    """Number, title, file, chapter of each, and where its file lies when it is compiled; the files that are not in shaders/; and the
+    mistakes of which a hunt has one, so that nobody reads them unawares."""
+    lines = ",\n".join(json.dumps([e.number, e.title, e.file, e.chapter, e.place.removeprefix("shaders/")]) for e in exercises)
+    files = {e.file: _unsolved((root / e.file).read_text(), e.file) for e in exercises if not e.file.startswith("shaders/")}
+    texts = ",\n".join(f"{json.dumps(file)}: {json.dumps(text)}" for file, text in files.items())
+    plants = {e.number: [[plant["find"], plant["replace"]] for plant in e.plants] for e in exercises if e.plants}
+    packed = base64.b64encode(json.dumps(plants).encode()).decode()
+    return ("// Made by `python3 -B scripts/playground data`: do not edit.\n"
+            f"Raysteps.play.addExercises([\n{lines}\n], {{\n{texts}\n}}, \"{packed}\");\n")
 
 
 def pack_chapters(root, build):

@@ -123,6 +123,10 @@ std::string playground_file(const Scene& scene, double aspect_ratio,
     for (const StructureFamily& family : families) {
         heads.push_back(family_head(family, scene, request, arrays));
     }
+    Numbers lights = empty_list();
+    for (const Light& light : scene.lights) {
+        lights.push_back({{"position", triple(light.position)}, {"color", triple(light.color)}});
+    }
     const View view = view_of(scene.camera, aspect_ratio);
     Numbers head{{"scene", scene.name},
                  {"scene_hash", hash_of(scene)},
@@ -133,6 +137,7 @@ std::string playground_file(const Scene& scene, double aspect_ratio,
                                   {"up", triple(view.up)}}},
                  {"middle_distance", glm::distance(scene.camera.eye, scene.camera.target)},
                  {"background", triple(scene.background)},
+                 {"lights", lights},
                  {"reach", request.reach},
                  {"arrays", list},
                  {"families", heads}};

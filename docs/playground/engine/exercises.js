@@ -1,10 +1,13 @@
 // The exercises of the course: their texts as a workbook has them, and checks against the answers of the C++ program.
 // What scripts/course does natively (marks.py, own.py, check.py, compare.py, report.py), in the same words.
 //
-//   play.exercises                    [{number, title, file, chapter}] of all that are in shaders (data/exercises.js calls addExercises)
-//   await play.openExercise("6.2")    one of them, with {path, task, formulas, hints, source, picture, checkpoints, files}
-//       path: the file as the shaders' reader names it; picture: choices of a session whose picture goes through the exercise
-//   play.blank(text)                  a file of the project as a workbook begins: stubs in the place of solutions
+//   play.exercises                    [{number, title, file, chapter, path, isHunt}] of all in shaders (data/exercises.js calls addExercises)
+//   await play.openExercise("6.2")    one of them, with {task, formulas, hints, source, picture, checkpoints, files}
+//       picture: choices of a session whose picture goes through the exercise; isHunt: whether a mistake is looked for
+//       path: where its file lies when it is compiled: that of a whole walk takes the place of the project's walk
+//   play.projectText(file)            the project's file, "shaders/..." or one of the exercises' own, whose solutions are left out
+//   play.blank(file, seed)            that file as a workbook begins: stubs in the place of solutions, and what the seed hides
+//   play.stubOf(exercise, code, seed) the stub; of a hunt, by the seed that these lines name
 //   play.regions(text, name)          {number: {code: [line], stub, first}}; throws PlayError where the marks are broken
 //   play.withCode(text, name, {number: [line]})   the file with these lines between the marks of an exercise
 //   play.isStub(exercise, text)       whether the exercise's lines are those of the stub, but for spaces
@@ -21,6 +24,7 @@
   const opened = new Map();
   const stopped = 0xfffffffd; // four times: a ray that left no mark
   const widest = 1024; // rays in a row
+  const usualObserver = "observer_in_order.glsl";
   const firstObserved = 8; // of twelve numbers: scripts/course/compare.py
   const observed = [["visits", "int"], ["tests", "int"], ["order", "int"]];
   const usualNames = { origin: [0, 1, 2], direction: [3, 4, 5], t_min: [6], t_max: [7] };
@@ -29,9 +33,18 @@
     begin: /^(\s*)\/\/# exercise (\d+\.\d+): (.+)$/, stub: /^\s*\/\/# stub: (.*)$/, end: /^\s*\/\/# end\s*$/,
   };
 
-  const addExercises = (list) => list.forEach(([number, title, file, chapter]) => exercises.push({ number, title, file, chapter }));
+  const texts = {};
+  const plants = {}; // by a hunt's number: the mistakes, of which a seed chooses one
+  const [hereSeed, hereWitness] = [/^\s*\/\/ seed (\d+)\s*$/, /^\s*\/\/ witness:\s*(pixel\s+)?([-+.\w,\s]*?)(?:,?\s*\bstep\s+(\d+))?\s*$/];
+  const pictureOfWitness = [64, 48];
+
+  function addExercises(list, files, hidden) {
+    Object.assign(texts, files);
+    Object.assign(plants, JSON.parse(atob(hidden)));
+    list.forEach(([number, title, file, chapter, path]) => exercises.push({ number, title, file, chapter, path, isHunt: plants[number] !== undefined }));
+  }
   const addChapter = (name, base64) => packed.set(name, base64);
-  const pathOf = (file) => file.replace(/^shaders\//, "");
+  const projectText = (file) => texts[file] ?? play.files[file.replace(/^shaders\//, "")];
 
   // Lines, and regions of lines, in order.
   function parse(text, name) {
@@ -74,21 +87,36 @@
       : [part.begin, ...(codes[part.number] ?? part.code), part.end])).join("\n");
   }
 
-  function blank(text) {
-    const stubs = Object.fromEntries(Object.entries(regions(text, "")).map(([number, { stub }]) => [number, stub]));
-    return withCode(text, "", stubs);
+  // The lines with the mistake of that seed, under those for seed and witness.
+  function planted(number, { code, indent }, seed) {
+    const [find, replace] = plants[number][seed % plants[number].length];
+    return [`${indent}// seed ${seed}`, `${indent}// witness:`, ...code.join("\n").split(find).join(replace).split("\n")];
+  }
+
+  const found = (pattern, code) => code.map((line) => pattern.exec(line)).find((match) => match) ?? null;
+  const seedIn = (code) => (found(hereSeed, code) ? Number(found(hereSeed, code)[1]) : null);
+
+  function stubOf({ number, file }, code, seed) {
+    const region = regions(projectText(file), file)[number];
+    return plants[number] ? planted(number, region, seedIn(code) ?? seed) : region.stub;
+  }
+
+  function blank(file, seed) {
+    const text = projectText(file);
+    const numbers = Object.keys(regions(text, file));
+    return withCode(text, file, Object.fromEntries(numbers.map((number) => [number, stubOf({ number, file }, [], seed)])));
   }
 
   const bare = (lines) => lines.map((line) => line.split(/\s+/).filter(Boolean).join(" ")).filter(Boolean).join("\n");
 
   function isStub(exercise, text) {
-    const stub = regions(play.files[exercise.path], exercise.file)[exercise.number].stub;
-    return bare(regions(text, exercise.file)[exercise.number].code) === bare(stub);
+    const { code } = regions(text, exercise.file)[exercise.number];
+    return bare(code) === bare(stubOf(exercise, code, 0));
   }
 
   // The person's file for the compiler, with the project's lines for all other exercises; origins: where each line comes from.
   function compose(exercise, own) {
-    const reference = play.files[exercise.path];
+    const reference = projectText(exercise.file);
     const solutions = regions(reference, exercise.file);
     const theirs = regions(own, exercise.file);
     for (const number of Object.keys(solutions)) {
@@ -132,7 +160,7 @@
       return scenes.get(place.start);
     };
     for (const exercise of head.exercises) {
-      Object.assign(exercise, { path: pathOf(exercise.file), files: head.files, numbers: head.numbers });
+      Object.assign(exercise, { ...exercises.find(({ number }) => number === exercise.number), files: head.files, numbers: head.numbers });
       for (const checkpoint of exercise.checkpoints) {
         checkpoint.openScene = () => open(checkpoint.scene);
         checkpoint.rays = new Uint32Array(bytes(checkpoint.rays));
@@ -172,10 +200,9 @@
     const scene = checkpoint.openScene();
     const structure = checkpoint.structure ?? "every_triangle";
     const parts = play.walkParts({ walk: structure, triangle: checkpoint.triangle, observer: "none" });
-    const own = Object.keys(exercise.files).find((name) => name.startsWith("observer_"));
     const files = { ...exercise.files, ...edits };
     const program = gpu.program(parts.packet ? "packet_checkpoint.frag" : "checkpoint.frag",
-      { ...parts, observer: own ?? parts.observer, checkpoint: checkpoint.subject }, files);
+      { ...parts, observer: checkpoint.observer ?? usualObserver, checkpoint: checkpoint.subject }, files);
     const rays = [rayTexture(gpu, checkpoint, [0, 1, 2, 6]), rayTexture(gpu, checkpoint, [3, 4, 5, 7])];
     const { width, height } = rays[0];
     const targets = Array.from({ length: checkpoint.words / 4 }, () => gpu.texture("rgba32ui", width, height));
@@ -214,6 +241,12 @@
       { clear: [[NaN, 0, 0, 0], [NaN, 0, 0, 0]], shape: interpolated ? "rectangle" : "triangle" });
     const steps = targets.map((target) => new Uint32Array(gpu.readFloats(target).buffer));
     gpu.free(...targets);
+    const isUnmarked = (words, index) => Number.isNaN(fromBits(words[4 * index])) && [1, 2, 3].every((k) => words[4 * index + k] === 0);
+    for (let index = 0; index < width * height; ++index) {
+      if (!steps.every((words) => isUnmarked(words, index))) continue;
+      const values = { ...play.viewUniforms(checkpoint), picture_size: [width, height] };
+      return { stopped: { index, step: 1, place: interpolated ? null : gpu.lineThatRanOut(program, values, width, height, [0, height]) } };
+    }
     return { found: (step, index, k) => steps[step - 1][4 * index + k] };
   }
 
@@ -258,7 +291,10 @@
       for (let index = 0; index < checkpoint.count; ++index) {
         const values = judged(checkpoint, names, places,
           (k, kind) => valueOf(checkpoint.answers[step - 1][k * checkpoint.count + index], kind), (k) => answer.found(step, index, k));
-        if (!allRight(values)) yield { index, step, ray: rayOf(checkpoint, index), values, because: "" };
+        if (!allRight(values)) {
+          const shown = values.filter(({ right }, i) => i < checkpoint.values.length || !right);
+          yield { index, step, ray: rayOf(checkpoint, index), values: shown, because: "" };
+        }
       }
     }
   }
@@ -289,10 +325,17 @@
       const origin = file === exercise.path ? composed.origins[line - 1] : null;
       if (origin?.own) result.lines.push(origin.line);
       const place = origin ? `${exercise.file}:${origin.line}` : file ? `${file}${line ? `:${line}` : ""}` : "the text";
-      return `${place}: ${message}${words ? ` ${words}` : ""}`;
+      return `${place}: ${message}${words ? `. ${words}` : ""}`;
     });
     result.message = ["Fix the line that is named, or the one before it:", ...named].join("\n");
     return result;
+  }
+
+  // The first loop of the exercise's own lines: the rounds may run out in a function that it calls.
+  function loopAmong(exercise, { text, origins }) {
+    const { code, first } = regions(text, exercise.file)[exercise.number];
+    const found = code.findIndex((line) => /\b(for|while)\b/.test(line));
+    return found < 0 ? 0 : origins[first + found - 1].line;
   }
 
   function endless(result, exercise, composed, checkpoint, { step, place }) {
@@ -300,7 +343,10 @@
     if (origin?.own) result.lines.push(origin.line);
     const where = origin ? `${exercise.file}:${origin.line}` : place ? `${place.file}:${place.line}` : "";
     result.state = "stopped";
-    result.message = where ? `At the checkpoint \`${checkpoint.name}\`, step ${step}, a loop came to no end: its rounds ran out at ${where}. Look at that loop, and at those around it.`
+    const own = origin?.own ? 0 : loopAmong(exercise, composed);
+    const around = own ? `and at that of your lines, ${exercise.file}:${own}` : "and at those around it";
+    if (own) result.lines.push(own);
+    result.message = where ? `At the checkpoint \`${checkpoint.name}\`, step ${step}, a loop came to no end: its rounds ran out at ${where}. Look at that loop, ${around}.`
       : `At the checkpoint \`${checkpoint.name}\`, step ${step}, a ray was left without an answer: does a loop never end?`;
     return result;
   }
@@ -333,11 +379,82 @@
     return result;
   }
 
+  // As Python reads numbers.
+  function numberOf(word) {
+    const text = word.trim().toLowerCase();
+    const special = { nan: NaN, inf: Infinity, infinity: Infinity, "+inf": Infinity, "-inf": -Infinity }[text];
+    if (special !== undefined) return special;
+    if (text === "" || Number.isNaN(Number(text))) throw new play.PlayError(`the line \`// witness:\` cannot be read: \`${word.trim()}\` is no number. Write six numbers, or eight, with commas between them.`);
+    return Number(text);
+  }
+
+  function rayOfPixel(gpu, scene, [x, y]) {
+    const [width, height] = pictureOfWitness;
+    const program = gpu.program("pass/rays/compute_rays.frag", { real: "real/float.glsl" });
+    const targets = [0, 1].map(() => gpu.texture("rgba32f", width, height));
+    gpu.draw(program, { ...play.viewUniforms(scene), picture_size: [width, height] }, targets);
+    const texel = 4 * ((height - 1 - y) * width + x);
+    const [[ox, oy, oz, least], [dx, dy, dz, most]] = targets.map((target) => gpu.readFloats(target).subarray(texel, texel + 4));
+    gpu.free(...targets);
+    return [ox, oy, oz, dx, dy, dz, least, most];
+  }
+
+  // The ray of the line `// witness:`, as bits, and the step.
+  function witnessIn(gpu, exercise, code) {
+    const [, pixel, numbers, step] = found(hereWitness, code) ?? [];
+    if (numbers === undefined) throw new play.PlayError("the line `// witness:` is gone. Put it back below `//# exercise`.");
+    if (!numbers) throw new play.PlayError("the line `// witness:` is empty. Write a ray or a pixel there where the part goes wrong: the task says how.");
+    let ray = numbers.split(",").map(numberOf);
+    if (pixel) {
+      const isInside = ray.length === 2 && ray.every((place, axis) => Number.isInteger(place) && place >= 0 && place < pictureOfWitness[axis]);
+      if (!isInside) throw new play.PlayError("the witness names a pixel that is not in a picture of 64 x 48. Write its column and row, as in `pixel 33,11`.");
+      ray = rayOfPixel(gpu, exercise.checkpoints[0].openScene(), ray);
+    }
+    if (ray.length !== 6 && ray.length !== 8) throw new play.PlayError(`a ray has six numbers, or eight with t_min and t_max, and not ${ray.length}.`);
+    if (ray.length === 6) ray.push(0, play.farthest);
+    return { rays: new Uint32Array(Float32Array.from(ray).buffer), step: Number(step ?? 1) };
+  }
+
+  // What is wrong with the witness, in words; empty where it is right. What the project's own lines answer to it, this GPU says.
+  async function complaint(gpu, exercise, code, signal) {
+    const seed = seedIn(code);
+    if (seed === null) return "the line `// seed ...` is gone. Put it back, or press Reset.";
+    const [first] = exercise.checkpoints;
+    let witness;
+    try {
+      witness = witnessIn(gpu, exercise, code);
+    } catch (error) {
+      if (error instanceof play.PlayError && !(error instanceof play.ContextLost)) return error.message;
+      throw error;
+    }
+    const steps = first.answers.length;
+    if (witness.step > steps) return `the witness names step ${witness.step}, and there are ${steps}.`;
+    const asked = { ...first, rays: witness.rays, count: 1 };
+    const text = projectText(exercise.file);
+    const mistaken = withCode(text, exercise.file, { [exercise.number]: planted(exercise.number, regions(text, exercise.file)[exercise.number], seed) });
+    const [right, wrong] = [await ask(gpu, exercise, asked, {}, signal), await ask(gpu, exercise, asked, { [exercise.path]: mistaken }, signal)];
+    if (wrong.stopped) return "the witness could not be tried: a loop came to no end.";
+    asked.answers = first.answers.map((_, i) => Uint32Array.from({ length: first.words }, (__, k) => right.found(i + 1, 0, k)));
+    const { value } = wrongAnswers(asked, wrong).next();
+    if (!value) return "the witness is none: with this ray your part does what it should even before it is repaired. Try another.";
+    return value.step === witness.step ? "" : `the witness is near: that goes wrong first at another step than ${witness.step}.`;
+  }
+
+  // The witness, then the part. Where the part is wrong is what the person is to find: a check says no ray.
+  async function judgeHunt(gpu, exercise, text, options = {}) {
+    const message = await complaint(gpu, exercise, regions(text, exercise.file)[exercise.number].code, options.signal);
+    if (message) return fault("failed", message);
+    const result = await judge(gpu, exercise, text, options);
+    if (!result.wrong) return result;
+    return Object.assign(result, { message: `The witness is right; the part is wrong still, at ${result.checkpoint.name}.`, checkpoint: null, wrong: null });
+  }
+
+  const fault = (state, message) => ({ state, message, right: [], checkpoint: null, wrong: null, lines: [] });
+
   async function check(gpu, exercise, text, options) {
-    const fault = (state, message) => ({ state, message, right: [], checkpoint: null, wrong: null, lines: [] });
     try {
       if (isStub(exercise, text)) return fault("not started", "");
-      return await judge(gpu, exercise, text, options);
+      return await (exercise.isHunt ? judgeHunt : judge)(gpu, exercise, text, options);
     } catch (error) {
       if (error instanceof play.PlayError && !(error instanceof play.Stopped) && !(error instanceof play.ContextLost)) return fault("failed", error.message);
       throw error;
@@ -347,13 +464,7 @@
   // Nine digits give a number of single precision back, bit for bit; as Python's `.9g` writes them.
   function digits(value) {
     if (typeof value === "boolean") return value ? "yes" : "no";
-    if (Number.isNaN(value)) return "nan";
-    if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
-    if (value === 0) return Object.is(value, -0) ? "-0" : "0";
-    const [mantissa, exponent] = value.toExponential(8).split("e").map((part, i) => (i ? Number(part) : part));
-    const trimmed = (number) => (number.includes(".") ? number.replace(/\.?0+$/, "") : number);
-    if (exponent >= -4 && exponent < 9) return trimmed(value.toFixed(8 - exponent));
-    return `${trimmed(mantissa)}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+    return play.significant(value, 9);
   }
   const textOf = (value, kind) => (isFloat(kind) || typeof value === "boolean" ? digits(value) : String(value));
   const row = (name, text) => `  ${name.padEnd(11)} ${text}`;
@@ -397,6 +508,6 @@
   }
 
   Object.assign(play, {
-    exercises, addExercises, addChapter, openExercise, blank, regions, withCode, isStub, ownEdits, judge, check, reportOf,
+    exercises, addExercises, addChapter, openExercise, projectText, blank, stubOf, regions, withCode, isStub, ownEdits, judge, check, reportOf,
   });
 })();

@@ -5,7 +5,7 @@
 //   await play.writeLink(state)       the hash, from # on; throws PlayError where it would be too long
 //   await play.readLink(hash, known)  the state; null where there is no link; throws PlayError, with one sentence
 //       known: {scene: [name, ...], ...}, what the page has of each choice
-//       state: {choices: {scene, walk, triangle, view, size}, file, pixel: [x, y], step, edits: {path: text}}
+//       state: {choices: {scene, walk, triangle, view, size}, file, pixel: [x, y], step, open: [section], edits: {path: text}}
 //       what a link does not name is undefined, and edits are {}
 //   play.longestLink                  characters
 "use strict";
@@ -15,7 +15,7 @@
   const longestLink = 30000; // characters: browsers take more, chats and mail programs often do not
   const mostOfTexts = 1024 * 1024; // bytes that the texts of a link may unpack to
   const choiceNames = ["scene", "walk", "triangle", "view", "size"];
-  const names = [...choiceNames, "file", "pixel", "step", "text"]; // in the order of a link
+  const names = [...choiceNames, "file", "pixel", "step", "open", "text"]; // in the order of a link
 
   // Fowler, Noll and Vo's hash, 1991, of 32 bits.
   function checkOf(fields) {
@@ -61,11 +61,12 @@
   }
   const quoted = (text) => `“${text.length > 40 ? `${text.slice(0, 40)}…` : text}”`;
 
-  async function writeLink({ choices, file, pixel, step, edits = {} }) {
+  async function writeLink({ choices, file, pixel, step, open = [], edits = {} }) {
     const fields = new Map(choiceNames.map((name) => [name, String(choices[name])]));
     if (file) fields.set("file", file);
     if (pixel) fields.set("pixel", pixel.join(","));
     if (step !== undefined && step !== null) fields.set("step", String(step));
+    if (open.length) fields.set("open", open.join(","));
     if (Object.keys(edits).length) fields.set("text", await pack(JSON.stringify(edits)));
     const readable = (value) => encodeURIComponent(value).replace(/%3A/g, ":").replace(/%2F/g, "/").replace(/%2C/g, ",");
     const link = `#check=${checkOf(fields)}&${[...fields].map(([name, value]) => `${name}=${readable(value)}`).join("&")}`;
@@ -107,6 +108,11 @@
     if (fields.has("step")) {
       if (!/^\d{1,5}$/.test(fields.get("step"))) refuse(`${quoted(fields.get("step"))} is no step`);
       state.step = Number(fields.get("step"));
+    }
+    if (fields.has("open")) {
+      state.open = fields.get("open").split(",");
+      const unknown = state.open.find((section) => !(known.open ?? []).includes(section));
+      if (unknown !== undefined) refuse(`there is no section ${quoted(unknown)} to open`);
     }
     if (fields.has("text")) {
       const edits = await unpack(fields.get("text"));

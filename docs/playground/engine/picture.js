@@ -1,11 +1,13 @@
 // Traces as pictures on 2D canvases, top row first.
 //
-//   play.viewNames()                  the parts of <view>, and the heat maps visits and tests
+//   play.viewNames()                  the parts of <view>, shaded (engine/shading.js), and the heat maps visits and tests
 //   play.observerOf(view)             which observer a trace needs for the view
-//   play.viewPicture(gpu, scene, rays, result, view, {edits, upper})
-//       {pixels: ImageData, legend}   legend: null, or {title, upper} of a heat map, whose scale may be given
-//   play.differencePicture(gpu, mine, right)
-//       {pixels, differing, first: {x, y} or null}      results of two traces; what was observed counts too
+//   await play.viewPicture(gpu, scene, rays, result, view, {edits, upper, walk, triangle, plan, signal})
+//       {pixels: ImageData, legend, linear, stopped, waves}   legend: null, or {title, upper} of a heat map, whose scale may be given
+//       linear: four numbers a pixel, or null
+//   play.differencePicture(gpu, mine, right, linear)
+//       {pixels, differing, first: {x, y} or null}      results of two traces; what was observed counts too, and so do
+//       linear: the colours of both, where there are some
 //   play.pixelOf(gpu, result, x, y)   {t, u, v, triangle, words, visits, tests}: words are the bits; x, y from the top left
 //   play.show(canvas, pixels)         puts them on, and gives the canvas their size
 //   play.legendColors                 of a heat map, from 0 up, as CSS colours
@@ -23,7 +25,8 @@
   const differentColor = [230, 120, 0];
   const ofMost = 0.99; // a few rays along a silhouette do many times more, and would leave the rest in the dark
 
-  const viewNames = () => [...play.listParts("view").map(({ name }) => name), ...Object.keys(heatMaps)];
+  const shaded = "shaded";
+  const viewNames = () => [...play.listParts("view").map(({ name }) => name), shaded, ...Object.keys(heatMaps)];
   const observerOf = (view) => (heatMaps[view] ? "count" : "none");
 
   // IEC 61966-2-1:1999, as a table.
@@ -51,7 +54,22 @@
     return pixels;
   }
 
-  function viewPicture(gpu, scene, rays, result, view, { edits = {}, upper = null } = {}) {
+  // The colours of a part of <view>.
+  function shownHits(gpu, scene, rays, result, view, edits) {
+    const colors = gpu.texture("rgba32f", result.width, result.height);
+    try {
+      const made = gpu.program("pass/show/show_hits.frag", { real: "real/float.glsl", view: play.findPart("view", view) }, edits);
+      gpu.draw(made, {
+        ...scene.arrays, ray_origins: rays.origins, ray_directions: rays.directions, hits: result.hits,
+        middle_distance: scene.middle_distance, background: scene.background,
+      }, [colors], { clear: [[0, 0, 0, 1]] });
+      return { linear: gpu.readFloats(colors), stopped: null };
+    } finally {
+      gpu.free(colors);
+    }
+  }
+
+  async function viewPicture(gpu, scene, rays, result, view, { edits = {}, upper = null, ...tracing } = {}) {
     const { width, height } = result;
     const words = play.readHits(gpu, result);
     const isStopped = (ray) => words[4 * ray + 3] === play.stoppedMark;
@@ -62,31 +80,23 @@
       const most = upper ?? (busy.length ? busy[Math.max(1, Math.ceil(ofMost * busy.length)) - 1] : 1);
       return {
         pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : heatColor(values[ray] / most))),
-        legend: { title: heatMaps[view], upper: most },
+        legend: { title: heatMaps[view], upper: most }, linear: null, stopped: null, waves: 0,
       };
     }
-    const colors = gpu.texture("rgba32f", width, height);
-    try {
-      const made = gpu.program("pass/show/show_hits.frag", { real: "real/float.glsl", view: play.findPart("view", view) }, edits);
-      gpu.draw(made, {
-        ...scene.arrays, ray_origins: rays.origins, ray_directions: rays.directions, hits: result.hits,
-        middle_distance: scene.middle_distance, background: scene.background,
-      }, [colors], { clear: [[0, 0, 0, 1]] });
-      const linear = gpu.readFloats(colors);
-      const colorOf = (ray) => [0, 1, 2].map((i) => encoded(linear[4 * ray + i]));
-      return { pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : colorOf(ray))), legend: null };
-    } finally {
-      gpu.free(colors);
-    }
+    const { linear, stopped, waves = 0 } = view === shaded ? await play.shade(gpu, scene, rays, result, { edits, ...tracing })
+      : shownHits(gpu, scene, rays, result, view, edits);
+    const colorOf = (ray) => [0, 1, 2].map((i) => encoded(linear[4 * ray + i]));
+    return { pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : colorOf(ray))), legend: null, linear, stopped, waves };
   }
 
-  function differencePicture(gpu, mine, right) {
+  function differencePicture(gpu, mine, right, linear = [null, null]) {
     const { width, height } = mine;
     const [a, b] = [mine, right].map((result) => play.readHits(gpu, result));
     const [c, d] = mine.observations && right.observations
       ? [mine, right].map((result) => play.readObservations(gpu, result)) : [null, null];
+    const [e, f] = linear[0] && linear[1] ? linear.map(({ buffer }) => new Uint32Array(buffer)) : [null, null];
     const differs = (ray) => {
-      for (let i = 4 * ray; i < 4 * ray + 4; ++i) if (a[i] !== b[i] || (c && c[i] !== d[i])) return true;
+      for (let i = 4 * ray; i < 4 * ray + 4; ++i) if (a[i] !== b[i] || (c && c[i] !== d[i]) || (e && e[i] !== f[i])) return true;
       return false;
     };
     let differing = 0;

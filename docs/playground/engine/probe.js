@@ -3,6 +3,7 @@
 //   play.probe(gpu)   {rows: [{question, wrong, of, matters}], rounds: true or false, sentence}
 //       question: in words; wrong: how many of so many answers are not those of IEEE 754; matters: for hits
 //       rounds: whether all that matters is right
+//   play.randomBits(seed)             an endless sequence, the same in each browser
 "use strict";
 
 (() => {
@@ -58,5 +59,5 @@
     return { rows, rounds, sentence };
   }
 
-  Object.assign(play, { probe });
+  Object.assign(play, { randomBits, probe });
 })();

@@ -1,13 +1,15 @@
 // Reads shaders in a browser: the same slots, catalogue and line numbers as common/gpu/shaders.cpp.
 //
-//   play.addFiles({path: text})       the files of shaders/, and the prelude (data/shaders.js calls it)
+//   play.addShaders(name, base64)     keeps them packed: the files of shaders/, and the prelude (data/shaders.js calls it)
+//   await play.openShaders()          unpacks them; before that there are none
 //   play.files                        all of them, by path from the shader folder
 //   play.listParts("triangle")        [{name, file}], sorted by name
 //   play.findPart("triangle", "watertight"), play.findPass("resume")      the file; throws where there is none
 //   play.listPrograms()               [{pass, parts: {slot: file}}]: each pass with each choice of parts
 //   play.readShader(pass, parts, {edits, ending})      {text, files}; edits: {path: the reader's own text}
 //   play.filesOf(pass, parts, edits)  the paths of all files that go into that program, in order
-//   play.nameFiles(messages, files)   [{file, line, message}]: where a compiler's messages belong
+//   play.nameFiles(messages, files)   [{file, line, message}]: where a compiler's messages belong; of a line the first, since
+//       the others follow from it
 //   play.explain(message)             the same in words, where a reader may want them
 //   play.needsDouble(text)            WebGL has no numbers of double precision
 //   play.refuse(text)                 why a text is not compiled at all, as a sentence; null where it may be
@@ -20,9 +22,10 @@
   const mostCharacters = 64 * 1024; // of an edited file
   const mostExpanded = 4 * 1024 * 1024; // characters that macros may make of it
   const versionLine = "#version 410 core";
-  const endings = { leaveNoMark: "leave_no_mark.glsl", leaveLine: "leave_line.glsl" };
+  const endings = { leaveNoMark: "leave_no_mark.glsl", leaveLine: "leave_line.glsl", leaveNoCorner: "leave_no_corner.glsl" };
   const prelude = "prelude.glsl";
   const files = {};
+  let packed = null;
 
   const roles = {
     structure: ["structure", "go_on"], packet: ["structure", "walk_packet"], triangle: ["triangle", "intersect_triangle"],
@@ -32,8 +35,10 @@
   // An error that a person can act on.
   class PlayError extends Error {}
 
-  function addFiles(more) {
-    Object.assign(files, more);
+  const addShaders = (name, base64) => { packed = base64; };
+
+  async function openShaders() {
+    Object.assign(files, JSON.parse(new TextDecoder().decode(await play.unzip(packed))));
   }
 
   const linesOf = (text) => text.replace(/\n$/, "").split("\n");
@@ -88,8 +93,7 @@
 
   function readShader(pass, parts = {}, { edits = {}, ending = null } = {}) {
     const shader = { text: "", files: [] };
-    const isFragment = pass.endsWith(".frag");
-    const head = files[prelude] + (isFragment ? files[ending ?? endings.leaveNoMark] : "");
+    const head = files[prelude] + files[pass.endsWith(".frag") ? ending ?? endings.leaveNoMark : endings.leaveNoCorner];
 
     function partFor(slot, place) {
       if (!parts[slot]) throw new PlayError(`${place}: nothing fills the slot <${slot}>. Name a part for it.`);
@@ -128,8 +132,8 @@
     return messages.replace(/\0/g, "").split("\n").filter((line) => line.trim()).map((line) => {
       const found = /^(?:ERROR|WARNING):\s*\d+:(\d{1,9}):\s*(.*)$/.exec(line);
       const place = found ? lineOf(Number(found[1]), shaderFiles) : { file: null, line: 0 };
-      return { ...place, message: found ? found[2] : line };
-    });
+      return { ...place, message: (found ? found[2] : line).replace(/ \(symbol id \d+\)/g, "") };
+    }).filter(({ file, line }, i, all) => !file || all.findIndex((other) => other.file === file && other.line === line) === i);
   }
 
   function lineOf(global, shaderFiles) {
@@ -146,9 +150,10 @@
     [new RegExp(`(?:float|vec\\d)' and a right operand of type '${isNumber}u?int|u?int' and a right operand of type '${isNumber}(?:float|vec\\d)`),
       `${conversions}write 2.0f in place of 2 beside a float.`],
     [new RegExp(`u?int' and a right operand of type '${isNumber}u?int`), `${conversions}write 2u beside an unsigned number, and 2 beside a signed one.`],
-    [/undeclared identifier/, "This name is not known here. Look for a slip in its spelling, or for its declaration further down."],
+    [/undeclared identifier/, "This name is not known here. Look for a slip in its spelling, for its declaration further down, or whether your lines have dropped it."],
     [/no matching overloaded function found/, "There is no function of that name for these arguments. If one of them is a whole number, write 2.0f for 2."],
     [/syntax error/, "The text is no GLSL here. Often a semicolon or a bracket is missing in the line above."],
+    [/function return is not matching type/, "The function gives something of another type than stands before its name."],
     [/redefinition/, "This name is taken already."],
     [/not all control paths return a value|function does not return a value/, "The function has a way to its end without a return."],
     [/Too many arguments for macro|Unexpected token after macro/i, "The page guards loops: in the head of a `for`, declare one variable only."],
@@ -203,7 +208,7 @@
   }
 
   Object.assign(play, {
-    PlayError, files, addFiles, listParts, findPart, findPass, listPrograms, readShader, filesOf, nameFiles, lineOf, explain,
+    PlayError, files, addShaders, openShaders, listParts, findPart, findPass, listPrograms, readShader, filesOf, nameFiles, lineOf, explain,
     needsDouble, refuse, endings, mostCharacters,
   });
 })();

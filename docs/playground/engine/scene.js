@@ -98,6 +98,15 @@
     return all;
   }
 
+  // Each node of all octants by its number in octant 0, which people know it by.
+  function placesInFirst(one) {
+    const count = one.length / 8;
+    const numbered = one.slice();
+    for (let node = 0; node < count; ++node) numbered[8 * node] = numbered[8 * node + 4] = node;
+    const all = allOctants(numbered);
+    return Int32Array.from({ length: octants * count }, (_, place) => all[8 * place]);
+  }
+
   function parentsOf(one) {
     const parents = new Int32Array(one.length / 8).fill(-1);
     for (let node = 0; node < parents.length; ++node) {
@@ -153,6 +162,7 @@
           const one = view(Int32Array, entry);
           arrays[name] = { kind: "int4", texels, data: allOctants(one) };
           arrays.bvh_parents = { kind: "int1", texels: one.length / 8, data: parentsOf(one) };
+          arrays.bvh_first_octant = { kind: "int1", texels: one.length, data: placesInFirst(one) }; // for people: no walk has use for it
         } else if (kind === "leaves") {
           arrays[name] = { kind: "int4", texels, data: leavesOf(view(Int32Array, entry), scene.arrays.triangle_corners.data) };
         } else if (kind === "kd_boxes") {

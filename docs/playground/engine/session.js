@@ -2,10 +2,11 @@
 //
 //   const run = play.openSession(gpu, choices)
 //       choices: {scene, walk, triangle, view, size}; run.choices may be changed, then ask again
+//   run.lit                           {lamps, mirrors, all} of the view "shaded": see engine/shading.js
 //   run.edits                         {path: text}; run.edit(path, text) changes one, and forgets it where it is as it was
 //   run.files()                       the files that go into the programs of these choices, the edited ones first
 //   await run.go({onProgress})        one run; a run that is still going on is stopped first. The outcome is one of
-//       {kind: "picture", mine, right, difference, result, stopped, milliseconds, rays}   right, difference: null while nothing is edited
+//       {kind: "picture", mine, right, difference, result, stopped, milliseconds, rays, scene}   right, difference: null while nothing is edited
 //       {kind: "errors", errors}      [{file, line, message, words}]: the last good picture stays
 //       {kind: "stopped"}             by run.stop(), or by another run
 //       {kind: "lost", sentence}      the graphics context is away
@@ -19,10 +20,11 @@
   const play = (globalThis.Raysteps ??= {}).play ??= {};
 
   function openSession(gpu, choices) {
-    const run = { choices: { ...choices }, edits: {} };
+    const run = { choices: { ...choices }, edits: {}, lit: { lamps: true, mirrors: true, all: false } };
     let stopping = null;
     let last = null; // {mine, right}: results of traces
     let rightOf = null; // {key, result, picture}
+    const shadedPasses = ["light/add_light.frag", "light/cast_shadow_rays.frag", "light/reflect.frag", "light/add_surroundings.frag", "select/select_unmirrored.frag"];
 
     function edit(path, text) {
       if (text === play.files[path]) delete run.edits[path];
@@ -32,8 +34,9 @@
     function files() {
       const parts = play.walkParts({ ...run.choices, observer: play.observerOf(run.choices.view) });
       const traced = play.filesOf("pass/trace/resume.frag", parts, run.edits);
-      const isPart = play.observerOf(run.choices.view) === "none";
-      const shown = isPart ? play.filesOf("pass/show/show_hits.frag", { real: parts.real, view: play.findPart("view", run.choices.view) }, run.edits) : [];
+      const { view } = run.choices;
+      const shown = view === "shaded" ? shadedPasses.flatMap((pass) => play.filesOf(`pass/${pass}`, { real: parts.real }, run.edits))
+        : play.observerOf(view) !== "none" ? [] : play.filesOf("pass/show/show_hits.frag", { real: parts.real, view: play.findPart("view", view) }, run.edits);
       const rays = play.filesOf("pass/rays/compute_rays.frag", { real: parts.real }, run.edits);
       const first = [parts.structure, ...(parts.packet ? [parts.packet] : []), parts.triangle];
       return [...new Set([...first, ...traced, ...rays, ...shown])];
@@ -49,13 +52,13 @@
     // The picture of the project's own text, kept while the choices stay.
     async function rightPicture(scene, options) {
       const { view, size, walk, triangle } = run.choices;
-      const key = JSON.stringify([run.choices.scene, walk, triangle, view, size]);
+      const key = JSON.stringify([run.choices.scene, walk, triangle, view, size, run.lit]);
       if (rightOf?.key !== key || rightOf.result.hits.generation !== gpu.generation()) {
         forgetRight();
         const rays = play.cameraRays(gpu, scene, size);
         try {
           const result = await play.trace(gpu, scene, rays, { ...options, edits: {}, trial: false });
-          rightOf = { key, result, picture: play.viewPicture(gpu, scene, rays, result, view) };
+          rightOf = { key, result, picture: await play.viewPicture(gpu, scene, rays, result, view, { ...options, edits: {} }) };
         } finally {
           gpu.free(rays.origins, rays.directions);
         }
@@ -74,24 +77,27 @@
       const own = stopping = new AbortController();
       const { view, size, walk, triangle } = run.choices;
       const edits = { ...run.edits };
+      const begun = performance.now();
       let rays = null;
       let mine = null;
       try {
-        const scene = await play.openScene(run.choices.scene);
-        const options = { walk, triangle, observer: play.observerOf(view), edits, signal: own.signal, onProgress };
+        const scene = play.changedScene(await play.openScene(run.choices.scene), run.lit);
+        const options = {
+          walk, triangle, observer: play.observerOf(view), edits, signal: own.signal, onProgress, plan: play.shadingPlan(scene, run.lit.all),
+        };
         rays = play.cameraRays(gpu, scene, size, edits);
         mine = await play.trace(gpu, scene, rays, options);
         const right = isEdited() ? await rightPicture(scene, options) : null;
-        const picture = play.viewPicture(gpu, scene, rays, mine, view, { edits, upper: right?.picture.legend?.upper });
-        const difference = right ? play.differencePicture(gpu, mine, right.result) : null;
+        const picture = await play.viewPicture(gpu, scene, rays, mine, view, { ...options, upper: right?.picture.legend?.upper });
+        const difference = right ? play.differencePicture(gpu, mine, right.result, [picture.linear, right.picture.linear]) : null;
         if (own.signal.aborted) throw new play.Stopped("Stopped.");
         play.release(gpu, last?.mine);
         last = { mine, right: right?.result ?? null };
         const result = mine;
         mine = null;
         return {
-          kind: "picture", mine: picture, right: right?.picture ?? null, difference, result, stopped: result.stopped,
-          milliseconds: result.milliseconds, rays: size * size,
+          kind: "picture", mine: picture, right: right?.picture ?? null, difference, result, stopped: result.stopped ?? picture.stopped,
+          milliseconds: view === "shaded" ? performance.now() - begun : result.milliseconds, rays: size * size, scene,
         };
       } catch (error) {
         if (error instanceof play.CompileError) return { kind: "errors", errors: error.errors };

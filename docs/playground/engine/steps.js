@@ -11,7 +11,7 @@
 //   play.partingOf(mine, right)       the first step that is not the same in both, from 0; -1 where all are
 //   play.placeName(scene, walk)       "cell", "node" or "triangle"
 //   play.boxOf(scene, walk, place)    [lower, upper], or null
-//   play.recordedSteps(recorded, {name, scene, walk})   as a file of recorded steps has them (visualizer/walk.schema.json)
+//   play.recordedSteps(recorded, {name, scene, of, walk})   of: the scene of that name; as a file of recorded steps has them (visualizer/walk.schema.json)
 "use strict";
 
 (() => {
@@ -170,13 +170,14 @@
   const written = (number) => (Number.isNaN(number) ? "nan" : Number.isFinite(number) ? number : number > 0 ? "infinity" : "-infinity");
   const writtenHit = (hit) => hit && { t: written(hit.t), u: written(hit.u), v: written(hit.v), triangle: hit.triangle };
 
-  function recordedSteps({ ray, steps, ended, hit, stopped }, { name, scene, walk }) {
+  function recordedSteps(recorded, { name, scene, of, walk }) {
+    const { ray, steps, ended, hit, stopped } = recorded;
     return {
       schema: "walk.schema.json", schema_version: 1, name, scene, structure: walk.replace(/^packet_/, ""),
       ray: { origin: ray.origin.map(written), direction: ray.direction.map(written), t_min: written(ray.t_min), t_max: written(ray.t_max) },
       question: "nearest",
-      steps: steps.map(({ place, round, box, tested, nearest, file, line }) =>
-        ({ place, round, box, tested, nearest: writtenHit(nearest), sentence: `Told by ${file}:${line}.` })),
+      steps: steps.map(({ place, round, box, tested, nearest, file, line }, i) =>
+        ({ place, round, box, tested, nearest: writtenHit(nearest), sentence: `${play.sentenceOfStep(of, walk, recorded, i)}. ${file}:${line}` })),
       ended, hit: writtenHit(hit),
       ending: stopped ? `A loop without an end was stopped in round ${stopped}.` : ended ? "The walk ended by itself." : "More steps were not recorded.",
     };

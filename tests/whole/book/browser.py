@@ -17,8 +17,8 @@ from book.serve import make_server
 STORE = Path(os.environ.get("RAYSTEPS_BOOK", ROOT / "build" / "default" / "book"))
 SITE = STORE / "site"
 NOT_RUN = 77  # CTest takes it for skipped
-SWITCHES = ("--headless=new", "--disable-dev-shm-usage", "--use-angle=swiftshader",
-            "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--hide-scrollbars")
+SWITCHES = ("--headless=new", "--disable-dev-shm-usage", "--ignore-gpu-blocklist", "--hide-scrollbars")
+SWIFTSHADER = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
 
 def leave_without(*programs):
@@ -37,10 +37,10 @@ def leave_if_missing():
     leave_without("chromium", "chromedriver")
 
 
-def start_browser():
+def start_browser(renderer=SWIFTSHADER):
     options = webdriver.ChromeOptions()
     options.binary_location = shutil.which("chromium")
-    for switch in SWITCHES:
+    for switch in (*SWITCHES, *renderer):
         options.add_argument(switch)
     if os.getuid() == 0:
         options.add_argument("--no-sandbox")

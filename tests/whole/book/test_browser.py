@@ -237,6 +237,22 @@ class Browser(BrowserTest):
             "return document.querySelector('details').open "
             "&& document.querySelector('details p').offsetHeight > 0"))
 
+    def test_the_playground_has_the_editor_that_was_fetched_and_is_small(self):
+        self.open("playground/exercises.html#exercise=6.2")
+        self.wait_for("return document.body.dataset.exercise === '6.2'")
+        is_fetched = (SITE / "playground" / "codemirror.js").exists()
+        self.assertEqual(self.browser.execute_script("return Boolean(document.querySelector('.editor').shadowRoot)"), is_fetched)
+        self.browser.execute_script("Raysteps.play.page.editor.goTo(1)")
+        keys = ActionChains(self.browser)
+        keys.send_keys(Keys.HOME, "// mine ", Keys.TAB).perform()
+        self.wait_for("return Raysteps.play.workbook.text('shaders/structure/bvh/bvh_skip.glsl').includes('// mine ')")
+        self.assertFalse(self.browser.execute_script("return document.querySelector('.editor').contains(document.activeElement)"))
+        loaded = [name for name in self.browser.execute_script(LOADED) if "/data/exercises_" not in name and "/data/scene_" not in name]
+        self.assertTrue(any(name.endswith("/data/shaders.js") for name in loaded))
+        self.assertLess(weight(loaded), 600_000)
+        self.assertEqual(self.complaints(), [])
+        self.browser.execute_script("localStorage.clear()")
+
 
 if __name__ == "__main__":
     leave_if_missing()

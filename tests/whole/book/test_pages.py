@@ -125,10 +125,16 @@ class Pages(FolderTest):
             with self.assertRaisesRegex(BookError, f"{number} is no exercise in a shader"):
                 carry_out(f"<!-- play: {number} -->", Links(ROOT, self.folder, [], self.folder), None)
 
-    def test_the_lessons_01_to_06_have_each_exercise_in_a_shader_once(self):
+    def test_a_lesson_shows_the_playground_with_choices_that_it_has(self):
+        with self.assertRaisesRegex(BookError, "no choice wlak"):
+            carry_out("<!-- play: wlak=grid -->", Links(ROOT, self.folder, [], self.folder), None)
+        made = "".join(carry_out("<!-- play: walk=grid&open=card -->", Links(ROOT, self.folder, [], self.folder), None))
+        self.assertIn('data-play="#walk=grid&amp;open=card"', made)
+
+    def test_the_lessons_have_each_exercise_in_a_shader_once(self):
         links = Links(ROOT, self.folder, [], self.folder)
-        for lesson in sorted((ROOT / "chapters").glob("0[1-6]_*/README.md")):
-            played = [words for kind, words in directives_in(lesson.read_text()) if kind == "play"]
+        for lesson in sorted((ROOT / "chapters").glob("[0-9]*/README.md")):
+            played = [words for kind, words in directives_in(lesson.read_text()) if kind == "play" and "=" not in words]
             wanted = [exercise.number for exercise in shader_exercises(ROOT) if exercise.chapter == lesson.parent.name]
             self.assertEqual(sorted(played), sorted(wanted))
             for number in played:

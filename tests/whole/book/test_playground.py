@@ -5,6 +5,7 @@ import base64
 import json
 import os
 import random
+import re
 import struct
 import subprocess
 import tempfile
@@ -15,23 +16,18 @@ from pathlib import Path
 
 from selenium.webdriver.common.keys import Keys
 
-from browser import STORE, leave_without, start_browser
+from browser import STORE, leave_without
+from playground_page import PHONE, RESET, PlaygroundTest
 from support import ROOT
 from book.serve import make_server
 from playground.data import PAGE, packed_in, scene_file
 
 PROGRAM = STORE.parent / "chapters" / "06_bvh" / "06_bvh"
-RAYS = 16384
+SHADER = STORE.parent / "chapters" / "03_shading" / "03_shading"
+RAYS = 16384  # for each structure; its other walks have fewer
+FEWER_RAYS = 2048
+SHADED_SIZE = 96
 SCENE = "mirrors"
-ADDRESS = (ROOT / PAGE / "index.html").as_uri()
-
-# Runs the body of an asynchronous function in the page, and gives what it returns.
-RUN = """
-const done = arguments[arguments.length - 1];
-const given = arguments[0];
-(async () => { %s })().then((value) => done({ value }), (error) => done({ error: `${error.name}: ${error.message}` }));
-"""
-
 # Every program of the catalogue goes through the compiler; linked is each pass and each part once, since that takes longer.
 COMPILE = """
 const { play } = Raysteps;
@@ -40,7 +36,7 @@ const { gl } = gpu;
 const programs = play.listPrograms();
 const inDouble = programs.filter(({ pass, parts }) => play.filesOf(pass, parts).some((file) => play.needsDouble(play.files[file])));
 const rest = programs.filter((program) => !inDouble.includes(program));
-const compiled = rest.map(({ pass, parts }) => {
+const compiled = (given.all ? rest : []).map(({ pass, parts }) => {
   const shader = gl.createShader(gl.FRAGMENT_SHADER);
   gl.shaderSource(shader, play.readShader(pass, parts).text);
   gl.compileShader(shader);
@@ -51,7 +47,7 @@ const faults = compiled.filter(({ shader }) => !gl.getShaderParameter(shader, gl
 const seen = new Set();
 let linked = 0;
 for (const { pass, parts } of rest) {
-  const names = [pass, ...Object.values(parts)];
+  const names = given.slots ? Object.keys(parts) : [pass, ...Object.values(parts)];
   if (names.every((name) => seen.has(name))) continue;
   names.forEach((name) => seen.add(name));
   try { gpu.program(pass, parts); linked += 1; } catch (error) { faults.push(`${pass} ${JSON.stringify(parts)}: ${error.message}`); }
@@ -60,26 +56,49 @@ gl.getExtension("WEBGL_lose_context").loseContext();
 return { programs: programs.length, faults, linked, inDouble: inDouble.map(({ parts }) => parts.triangle) };
 """
 
-# The rays of the file through each walk: how many hits have other bits than those of the program.
+# The rays of the file through each walk: how many hits have other bits than those of the program. A walk has them all where it is
+# the first of its structure.
 COMPARE = """
 const { play } = Raysteps;
 const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
 const numbers = new Float32Array(bytes(given.rays));
 const expected = new Uint32Array(bytes(given.hits));
-const gpu = globalThis.testGpu ??= play.openGpu();
+const { gpu } = play.page;
 const scene = await play.openScene(given.scene);
-const rays = play.listedRays(gpu, numbers);
+const [all, few] = [numbers, numbers.subarray(0, 8 * given.fewer)].map((list) => play.listedRays(gpu, list));
+const asked = {};
 const differing = {};
 for (const walk of play.walkNames()) {
-  const result = await play.trace(gpu, scene, rays, { walk, triangle: "watertight", trial: false });
+  const { name } = play.familyOf(scene, walk);
+  const count = Object.keys(asked).some((other) => play.familyOf(scene, other).name === name) ? given.fewer : numbers.length / 8;
+  asked[walk] = count;
+  const result = await play.trace(gpu, scene, count === given.fewer ? few : all, { walk, triangle: "watertight", trial: false });
   const words = play.readHits(gpu, result);
   play.release(gpu, result);
   differing[walk] = result.stopped ? result.stopped.sentence : 0;
-  for (let i = 0; i < expected.length && !result.stopped; i += 4) {
+  for (let i = 0; i < 4 * count && !result.stopped; i += 4) {
     differing[walk] += [0, 1, 2, 3].some((j) => words[i + j] !== expected[i + j]);
   }
 }
-return differing;
+return { asked, differing };
+"""
+
+
+# The shaded picture of the page against the program's, number by number.
+SHADED = """
+const { play } = Raysteps;
+const expected = new Uint32Array(Uint8Array.from(atob(given.expected), (letter) => letter.charCodeAt(0)).buffer);
+const { gpu } = play.page;
+const size = Math.sqrt(expected.length / 3);
+const scene = await play.openScene(given.scene);
+const rays = play.cameraRays(gpu, scene, size);
+const tracing = { walk: "bvh_ordered", triangle: "watertight" };
+const traced = await play.trace(gpu, scene, rays, { ...tracing, trial: false });
+const { linear } = await play.shade(gpu, scene, rays, traced, tracing);
+const words = new Uint32Array(linear.buffer);
+let differing = 0;
+for (let pixel = 0; pixel < size * size; ++pixel) differing += [0, 1, 2].some((i) => words[4 * pixel + i] !== expected[3 * pixel + i]);
+return { differing, lit: linear.some((value) => value > 0.5) };
 """
 
 
@@ -120,84 +139,19 @@ def hits_of_the_program(rays):
         return answered.read_bytes()
 
 
-class PlaygroundTest(unittest.TestCase):
-    """Tests that share one browser, and what a reader does to the page."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = start_browser()
-        cls.browser.set_script_timeout(200)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-
-    def setUp(self):
-        self.browser.get_log("browser")
-        self.addCleanup(self.browser.execute_script, "localStorage.clear()")
-
-    def open(self, address=ADDRESS):
-        self.browser.get(address)
-        self.wait_for("picture")
-
-    def run_in_page(self, body, given=None):
-        """In a page of the playground that stands still."""
-        if not self.browser.current_url.startswith(("file:", "http:")):
-            self.open()
-        answer = self.browser.execute_async_script(RUN % body, given or {})
-        self.assertNotIn("error", answer)
-        return answer["value"]
-
-    def wait_for(self, *states, seconds=60):
-        state = None
-        for _ in range(seconds * 20):
-            state = self.browser.execute_script("return document.body.dataset.state")
-            if state in states:
-                return state
-            time.sleep(0.05)
-        self.fail(f"the page is {state}, not {states}: {self.said()}")
-
-    def wait_until(self, script, seconds=60):
-        for _ in range(seconds * 20):
-            found = self.browser.execute_script(script)
-            if found:
-                return found
-            time.sleep(0.05)
-        return self.fail(f"this did not become true: {script}")
-
-    def said(self):
-        return self.browser.find_element("id", "said").text
-
-    def choose(self, name, value):
-        self.browser.execute_script(
-            "const select = document.getElementById(arguments[0]); select.value = arguments[1];"
-            "document.body.dataset.state = 'asked'; select.dispatchEvent(new Event('change'))", name, value)
-
-    def type_over(self, old, new):
-        """As if a reader had changed these characters of the open file."""
-        self.browser.execute_script(
-            "const area = document.querySelector('textarea'); const [old, text] = arguments;"
-            "if (!area.value.includes(old)) throw new Error(`the text has no ${old}`);"
-            "area.value = area.value.replace(old, () => text); document.body.dataset.state = 'typed';"
-            "area.dispatchEvent(new Event('input'))", old, new)
-
-    def line_of(self, words):
-        text = self.browser.execute_script("return document.querySelector('textarea').value")
-        return 1 + text[:text.index(words)].count("\n")
-
-    def complaints(self):
-        return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
-
-    def keep_picture(self, name):
-        """A screenshot, for a person to look at."""
-        folder = STORE / "screenshots"
-        folder.mkdir(parents=True, exist_ok=True)
-        self.browser.save_screenshot(str(folder / f"{name}.png"))
+def expected_picture():
+    """What the C++ program shades: three floats a pixel, the bottom row first."""
+    with tempfile.TemporaryDirectory(prefix="raysteps_playground_") as folder:
+        subprocess.run([SHADER, "--scene", SCENE, "--size", str(SHADED_SIZE), "--structure", "bvh_ordered", "--out", folder],
+                       check=True, stdout=subprocess.DEVNULL)
+        file = next(Path(folder).rglob("*.pfm")).read_bytes()
+    return base64.b64encode(file[-12 * SHADED_SIZE * SHADED_SIZE:]).decode()
 
 
 class Playground(PlaygroundTest):
     def test_every_program_without_double_compiles(self):
-        found = self.run_in_page(COMPILE)
+        self.begin()
+        found = self.run_in_page(COMPILE, {"all": True, "slots": False})
         self.assertEqual(found["faults"], [])
         self.assertEqual(set(found["inDouble"]), {"triangle/watertight_fallback.glsl"})
         self.assertGreater(found["programs"] - len(found["inDouble"]), 400)
@@ -208,12 +162,14 @@ class Playground(PlaygroundTest):
         hits = hits_of_the_program(rays)
         meet = sum(triangle >= 0 for *_, triangle in struct.iter_unpack("<fffi", hits))
         self.assertGreater(meet, RAYS // 2)
-        differing = self.run_in_page(COMPARE, {"scene": SCENE, "rays": base64.b64encode(rays).decode(),
-                                               "hits": base64.b64encode(hits).decode()})
-        self.assertGreater(len(differing), 14)
-        self.assertEqual(differing, dict.fromkeys(differing, 0))
+        self.begin()
+        found = self.run_in_page(COMPARE, {"scene": SCENE, "rays": base64.b64encode(rays).decode(), "fewer": FEWER_RAYS,
+                                           "hits": base64.b64encode(hits).decode()})
+        self.assertGreater(len(found["differing"]), 14)
+        self.assertEqual(found["differing"], dict.fromkeys(found["differing"], 0))
+        self.assertEqual(sum(count == RAYS for count in found["asked"].values()), 6)
 
-    def test_a_page_from_the_disk_shows_a_picture_and_asks_nothing_of_anybody(self):
+    def test_a_page_from_the_disk_shows_a_picture_asks_nobody_and_keeps_what_is_changed(self):
         self.open()
         self.assertIn("This is the project's own text", self.said())
         colors = self.browser.execute_script(
@@ -222,6 +178,20 @@ class Playground(PlaygroundTest):
         self.assertGreater(colors, 500)
         loaded = self.browser.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
         self.assertEqual([name for name in loaded if not name.startswith("file://")], [])
+        self.choose("view", "visits")
+        self.wait_for("picture")
+        self.type_over("node + 1 : here.skip", "node + 2 : here.skip")
+        self.wait_for("picture")
+        self.assertRegex(self.said(), r"[\d,]+ of 65,536 pixels differ from the project's, first at \(\d+, \d+\)")
+        self.browser.find_element("id", "mine").click()
+        self.assertRegex(self.text("pixel"), r"Yours: .*visits.*Right: .*visits")
+        self.keep_picture("playground")
+        self.keep_picture("playground_narrow", PHONE["width"])
+        self.open()
+        self.assertIn("differ from the project's", self.said())
+        self.browser.execute_script("document.body.dataset.state = 'asked'; document.getElementById('reset').click()")
+        self.wait_for("picture")
+        self.assertIn("This is the project's own text", self.said())
         self.assertEqual(self.complaints(), [])
 
     def test_a_page_from_a_server_may_ask_nobody(self):
@@ -229,7 +199,7 @@ class Playground(PlaygroundTest):
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
             own = f"http://127.0.0.1:{server.server_port}/"
-            self.open(own)
+            self.open(f"{own}#size=128&scene=tetrahedron:2")
             self.assertEqual(self.complaints(), [])
             loaded = self.browser.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
             self.assertGreater(len(loaded), 10)
@@ -240,33 +210,15 @@ class Playground(PlaygroundTest):
                 await fetch("index.html").catch(() => {});
                 new Image().src = "http://127.0.0.1:1/picture.png";
                 document.head.append(Object.assign(document.createElement("script"), { src: "http://127.0.0.1:1/script.js" }));
-                await new Promise((resolve) => setTimeout(resolve, 300));
+                for (let i = 0; i < 100 && new Set(refused).size < 3; ++i) await new Promise((resolve) => setTimeout(resolve, 20));
                 return refused;""")
             self.assertEqual(set(refused), {"connect-src", "img-src", "script-src-elem"})
         finally:
             server.shutdown()
             server.server_close()
 
-    def test_an_edited_line_shows_what_it_changes_and_is_there_after_a_reload(self):
-        self.open()
-        self.choose("view", "visits")
-        self.wait_for("picture")
-        self.type_over("node + 1 : here.skip", "node + 2 : here.skip")
-        self.wait_for("picture")
-        self.assertRegex(self.said(), r"[\d,]+ of 65,536 pixels differ from the project's, first at \(\d+, \d+\)")
-        self.browser.find_element("id", "mine").click()
-        self.assertRegex(self.browser.find_element("id", "pixel").text, r"Yours: .*visits.*Right: .*visits")
-        self.browser.set_window_size(1280, 900)
-        self.keep_picture("playground")
-        self.open()
-        self.assertIn("differ from the project's", self.said())
-        self.browser.find_element("id", "reset").click()
-        self.browser.execute_script("document.body.dataset.state = 'asked'")
-        self.wait_for("picture")
-        self.assertIn("This is the project's own text", self.said())
-
     def test_a_typo_is_told_in_words_at_its_line_and_the_last_good_picture_stays(self):
-        self.open()
+        self.begin()
         self.type_over("int left = rounds;", "int left = rounds;\n    float way = 2;")
         self.wait_for("errors")
         line = self.line_of("float way")
@@ -279,8 +231,8 @@ class Playground(PlaygroundTest):
         self.wait_for("picture")
         self.assertIn("the same bits", self.said())
 
-    def test_a_loop_without_an_end_is_stopped_and_its_line_named(self):
-        self.open()
+    def test_what_has_no_end_is_stopped_and_its_line_named(self):
+        self.begin()
         for endless in ("while (true) {}", "for (;;) {}", "for (int i = 0; i >= 0; i = 0) { ++n; }"):
             with self.subTest(endless=endless):
                 self.type_over("Hit nearest = walk.nearest;", f"Hit nearest = walk.nearest;\n    int n = 0; {endless}")
@@ -290,29 +242,31 @@ class Playground(PlaygroundTest):
                 self.type_over(f"\n    int n = 0; {endless}", "")
                 self.wait_for("picture")
                 self.assertIn("This is the project's own text", self.said())
-
-    def test_a_loop_without_an_end_in_packets_is_stopped_and_its_line_named(self):
-        self.open()
-        self.choose("walk", "packet_bvh4")
-        self.wait_for("picture")
-        self.browser.execute_script(
-            "const select = document.getElementById('file'); select.value = 'structure/bvh/packet_bvh4.glsl';"
-            "select.dispatchEvent(new Event('change'))")
-        self.type_over("PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {",
-                       "PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {\n    while (true) {}")
-        self.wait_for("picture")
-        self.assertIn(f"structure/bvh/packet_bvh4.glsl:{self.line_of('while (true)')}:", self.said())
-
-    def test_a_walk_that_comes_to_no_end_is_stopped(self):
-        self.open()
-        self.type_over("node = met && !is_bvh_leaf(here) ? node + 1 : here.skip;", "node = node;")
-        self.wait_for("picture")
-        self.assertRegex(self.said(), r"Walks without an end were stopped in [\d,]+ pixels, first at \(\d+, \d+\)")
+        with self.subTest("a walk"):
+            self.type_over("node = met && !is_bvh_leaf(here) ? node + 1 : here.skip;", "node = node;")
+            self.wait_for("picture")
+            self.assertRegex(self.said(), r"Walks without an end were stopped in [\d,]+ pixels, first at \(\d+, \d+\)")
+        with self.subTest("a packet"):
+            self.choose("walk", "packet_bvh4")
+            self.wait_for("picture")
+            self.browser.execute_script("Raysteps.play.page.open('structure/bvh/packet_bvh4.glsl')")
+            self.type_over("PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {",
+                           "PacketWalk walk_packet(Ray rays[4], real near_enough, int rounds) {\n    while (true) {}")
+            self.wait_for("picture")
+            self.assertIn(f"structure/bvh/packet_bvh4.glsl:{self.line_of('while (true)')}:", self.said())
+        with self.subTest("light"):
+            self.browser.execute_script(RESET)
+            self.wait_for("picture")
+            self.choose("view", "shaded")
+            self.wait_for("picture")
+            self.browser.execute_script("Raysteps.play.page.open('light/lambert.glsl')")
+            self.type_over("bool faces_light(Surface surface, real3 light_position) {", "bool faces_light(Surface surface, real3 light_position) {\n    while (true) {}")
+            self.wait_for("picture")
+            self.assertIn(f"ran out at light/lambert.glsl:{self.line_of('while (true)')}.", self.said())
 
     def test_a_long_run_stops_when_it_is_told(self):
-        self.open()
-        self.choose("scene", "mirrors")
-        self.wait_for("picture")
+        self.begin()
+        self.choose("size", "256")
         self.choose("walk", "every_triangle")
         self.wait_for("running")
         self.browser.find_element("id", "stop").click()
@@ -320,6 +274,7 @@ class Playground(PlaygroundTest):
         self.assertIn("Stopped", self.said())
 
     def test_texts_that_are_too_long_are_refused_in_words(self):
+        self.begin()
         refused = self.run_in_page("""
             const { play } = Raysteps;
             const bomb = Array.from({ length: 30 }, (_, i) => `#define m${i + 1} m${i} + m${i}`).join("\\n");
@@ -330,13 +285,44 @@ class Playground(PlaygroundTest):
         self.assertIn("macros", refused[1])
         self.assertIn("macros", refused[2])
         self.assertEqual([each for each in refused[3:] if each], [])
-        self.open()
         self.type_over("Hit nearest", "/*" + "x" * 70000 + "*/ Hit nearest")
         self.wait_for("errors")
         self.assertIn("Shorten it", self.said())
 
+    def test_the_wavefront_lights_the_scene_and_runs_only_what_it_calls_for(self):
+        self.begin()
+        self.choose("view", "shaded")
+        self.wait_for("picture")
+        self.browser.execute_script("document.getElementById('plan').open = true")
+        self.assertIn("reflect", self.text("plan-said"))
+        self.keep_picture("playground_plan")
+        found = self.run_in_page(SHADED, {"expected": expected_picture(), "scene": SCENE})
+        self.assertEqual(found, {"differing": 0, "lit": True})
+        self.tick("plan-all")
+        self.assertIn("0 of 16,384 pixels differ", self.text("plan-said"))
+        self.tick("plan-all")
+        self.tick("plan-mirrors")
+        self.assertNotIn("reflect", self.text("plan-said"))
+        self.tick("plan-lamps")
+        self.assertEqual(re.findall(r"add_light|cast_shadow_rays|reflect", self.text("plan-rows")), [])
+
+    def test_rays_that_no_test_may_lose_leak_through_one_and_not_through_another(self):
+        self.begin()
+        self.choose("triangle", "moeller_trumbore")
+        self.wait_for("picture")
+        self.browser.execute_script("document.getElementById('leaks').open = true")
+        told = self.wait_until("return /moeller_trumbore: [1-9].* rays got out/.exec(document.getElementById('leaks-said').textContent)?.[0]")
+        self.keep_picture("playground_leaks")
+        self.assertRegex(told, r"[\d,]+ of 16,384 rays got out")
+        self.choose("triangle", "watertight")
+        self.wait_until("return document.getElementById('leaks-said').textContent.startsWith('watertight: 0 of 16,384')")
+
+    def tick(self, box):
+        self.browser.execute_script("document.body.dataset.state = 'asked'; document.getElementById(arguments[0]).click()", box)
+        self.wait_for("picture")
+
     def test_a_lost_context_is_rebuilt_once_without_running_the_text(self):
-        self.open()
+        self.begin()
         self.browser.execute_script("globalThis.loser = Raysteps.play.page.gpu.gl.getExtension('WEBGL_lose_context'); loser.loseContext()")
         self.wait_for("lost")
         self.assertIn("Your text is kept", self.said())
@@ -350,18 +336,6 @@ class Playground(PlaygroundTest):
         self.wait_for("gone")
         self.assertIn("reload the page", self.said())
         self.assertIn("go_on", self.browser.execute_script("return document.querySelector('textarea').value"))
-
-    def test_on_a_phone_nothing_is_wider_than_the_screen(self):
-        self.open()
-        self.type_over("node + 1 : here.skip", "node + 2 : here.skip")
-        self.wait_for("picture")
-        try:
-            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-                "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
-            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), 390)
-            self.keep_picture("playground_narrow")
-        finally:
-            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
 if __name__ == "__main__":

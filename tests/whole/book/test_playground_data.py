@@ -29,8 +29,7 @@ def asked_in(packed):
 
 class PlaygroundData(unittest.TestCase):
     def test_each_shader_of_the_page_has_the_bytes_of_its_file(self):
-        script = (DATA / "shaders.js").read_text(encoding="utf-8")
-        made = json.loads(script[script.index("({") + 1:script.rindex(")")])
+        made = json.loads(packed_in((DATA / "shaders.js").read_text()))
         parts = {path for path in made if "/" in path}
         self.assertEqual(parts, {path.relative_to(ROOT / "shaders").as_posix()
                                  for path in (ROOT / "shaders").rglob("*") if path.suffix in ENDINGS}, REPAIR)
@@ -46,14 +45,19 @@ class PlaygroundData(unittest.TestCase):
                 self.assertTrue(kept == pack_scene(BUILD, name), f"{name}: {REPAIR}")
 
     def test_each_chapter_of_the_page_has_the_questions_and_scenes_that_the_program_resolves(self):
-        self.assertEqual((DATA / "exercises.js").read_text(), list_script(shader_exercises(ROOT)), REPAIR)
+        self.assertEqual((DATA / "exercises.js").read_text(), list_script(ROOT, shader_exercises(ROOT)), REPAIR)
         self.assertEqual((DATA / "scenes.js").read_text(), offers_script(SCENES), REPAIR)
         for chapter, made in pack_chapters(ROOT, BUILD):
             with self.subTest(chapter=chapter):
                 self.assertTrue(asked_in(packed_in((DATA / chapter_file(chapter)).read_text())) == asked_in(made), REPAIR)
 
     def test_no_chapter_has_a_solution_or_a_mistake(self):
+        listed = (DATA / "exercises.js").read_text()
         for exercise in shader_exercises(ROOT):
+            for text in [line.strip() for line in exercise.region.code if len(line) > 40 and line not in exercise.region.stub]:
+                self.assertNotIn(json.dumps(text)[1:-1], listed, exercise.number)
+            for plant in exercise.plants:
+                self.assertNotIn(json.dumps(plant["replace"]), listed, exercise.number)
             packed = packed_in((DATA / chapter_file(exercise.chapter)).read_text())
             head = packed[4:4 + struct.unpack("<I", packed[:4])[0]].decode()
             solution = json.dumps("\n".join(exercise.region.code))[1:-1]
