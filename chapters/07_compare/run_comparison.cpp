@@ -246,7 +246,7 @@ std::vector<std::string> walks_of(const SceneCosts& costs) {
 } // namespace
 
 void write_comparison_jobs(const Comparison& comparison, const std::vector<std::string>& words) {
-    std::vector<Job> jobs;
+    std::vector<RunPart> jobs;
     for (const std::string& scene : scenes_of(comparison)) {
         jobs.push_back({scene, {"--scenes", scene, "--growth", "-1"}});
     }

@@ -404,7 +404,7 @@ void make_report(const PictureOptions& options, const ReportRequest& request) {
 }
 
 void write_report_jobs(const ReportRequest& request, const std::vector<std::string>& words) {
-    std::vector<Job> jobs;
+    std::vector<RunPart> jobs;
     for (const TradeOffMaker& maker : chosen_makers(request.trade_offs)) {
         jobs.push_back({maker.name, {"--trade-offs", maker.name}});
     }

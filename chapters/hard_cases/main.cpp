@@ -144,7 +144,7 @@ void check_promises(std::span<const TrialResult> results) {
 }
 
 void write_trial_jobs(const TrialRequest& request, const std::vector<std::string>& words) {
-    std::vector<Job> jobs;
+    std::vector<RunPart> jobs;
     for (const Trial& trial : chosen_trials(request)) {
         jobs.push_back({trial.name, {"--case", trial.name}});
     }

@@ -36,7 +36,7 @@ std::string file_name_of(std::string name) {
     return name;
 }
 
-std::string command_of(const std::vector<std::string>& words, const Job& job,
+std::string command_of(const std::vector<std::string>& words, const RunPart& job,
                        const std::filesystem::path& results) {
     std::string line = "cd " + quoted(std::filesystem::current_path().string()) + " && " +
                        quoted(std::filesystem::read_symlink("/proc/self/exe").string());
@@ -79,11 +79,11 @@ std::vector<std::string> words_without(int argc, char** argv,
 }
 
 void write_jobs(const JobOptions& options, const std::vector<std::string>& words,
-                std::span<const Job> jobs) {
+                std::span<const RunPart> jobs) {
     const std::filesystem::path results = std::filesystem::absolute(options.results);
     Numbers list = empty_list();
     std::string lines;
-    for (const Job& job : jobs) {
+    for (const RunPart& job : jobs) {
         const std::string line = command_of(words, job, results);
         lines += line + "\n";
         list.push_back(

@@ -12,7 +12,7 @@ namespace raysteps {
 
 // A part of a run that does not depend on the others: its name, and the options that ask for it
 // alone.
-struct Job {
+struct RunPart {
     std::string name;
     std::vector<std::string> options;
 };
@@ -35,7 +35,7 @@ std::vector<std::string> words_without(int argc, char** argv,
 // options, its figures to RESULTS/NAME.json and its other files to the folder RESULTS/NAME. The
 // folder also gets jobs.json, by which read_parts knows what there is to come.
 void write_jobs(const JobOptions& options, const std::vector<std::string>& words,
-                std::span<const Job> jobs);
+                std::span<const RunPart> jobs);
 
 // What parts have left behind.
 struct JobParts {
