@@ -16,7 +16,7 @@ constexpr auto anywhere = AnswerRules::Origin::anywhere;
 
 const std::vector<glm::vec3> square = quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}).corners;
 
-Ray down_at(float x, float y) {
+Ray down_from_one(float x, float y) {
     return {{x, y, 1}, {0, 0, -1}, 0.0f, no_end};
 }
 
@@ -41,7 +41,7 @@ bool allows(const AllowedAnswer& answer, const ReferenceHit& hit) {
 } // namespace
 
 TEST_CASE("a ray at the middle of a triangle may name it alone, at its t", "[reference][exact]") {
-    const AllowedAnswer answer = AnswerRules(square).allowed(down_at(0.75f, 0.25f), anywhere);
+    const AllowedAnswer answer = AnswerRules(square).allowed(down_from_one(0.75f, 0.25f), anywhere);
     CHECK_FALSE(answer.miss);
     CHECK_FALSE(answer.anything);
     REQUIRE(triangles_of(answer) == std::vector{0});
@@ -51,7 +51,7 @@ TEST_CASE("a ray at the middle of a triangle may name it alone, at its t", "[ref
 }
 
 TEST_CASE("a ray beside all triangles may only miss", "[reference][exact]") {
-    const AllowedAnswer answer = AnswerRules(square).allowed(down_at(1.001f, 0.5f), anywhere);
+    const AllowedAnswer answer = AnswerRules(square).allowed(down_from_one(1.001f, 0.5f), anywhere);
     CHECK(answer.miss);
     CHECK(answer.hits.empty());
 }
@@ -59,11 +59,11 @@ TEST_CASE("a ray beside all triangles may only miss", "[reference][exact]") {
 TEST_CASE("at a border a ray may hit or miss, and at a shared edge it must hit",
           "[reference][exact]") {
     const AnswerRules rules(square);
-    const AllowedAnswer border = rules.allowed(down_at(1.0f + 0x1p-20f, 0.5f), anywhere);
+    const AllowedAnswer border = rules.allowed(down_from_one(1.0f + 0x1p-20f, 0.5f), anywhere);
     CHECK(border.miss);
     CHECK(triangles_of(border) == std::vector{0});
     for (const float beside : {0.0f, 0x1p-20f, -0x1p-20f}) {
-        const AllowedAnswer shared = rules.allowed(down_at(0.5f + beside, 0.5f), anywhere);
+        const AllowedAnswer shared = rules.allowed(down_from_one(0.5f + beside, 0.5f), anywhere);
         CHECK_FALSE(shared.miss);
         CHECK(triangles_of(shared) == std::vector{0, 1});
     }
@@ -73,9 +73,10 @@ TEST_CASE("neither the winding of triangles nor copies of them open an edge",
           "[reference][exact]") {
     std::vector<glm::vec3> turned = square;
     std::swap(turned[4], turned[5]);
-    CHECK_FALSE(AnswerRules(turned).allowed(down_at(0.5f, 0.5f), anywhere).miss);
+    CHECK_FALSE(AnswerRules(turned).allowed(down_from_one(0.5f, 0.5f), anywhere).miss);
     const Mesh thrice = tripled({square, {}});
-    const AllowedAnswer answer = AnswerRules(thrice.corners).allowed(down_at(0.5f, 0.5f), anywhere);
+    const AllowedAnswer answer =
+        AnswerRules(thrice.corners).allowed(down_from_one(0.5f, 0.5f), anywhere);
     CHECK_FALSE(answer.miss);
     CHECK(answer.hits.size() == 6);
 }
@@ -84,20 +85,21 @@ TEST_CASE("what lies behind a surface is not allowed, and what lies in it is",
           "[reference][exact]") {
     const Mesh two = join({square, {}}, quad({0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}));
     const AnswerRules rules(two.corners);
-    CHECK(triangles_of(rules.allowed(down_at(0.5f, 0.5f), anywhere)) == std::vector{0, 1});
-    Ray behind = down_at(0.75f, 0.25f);
+    CHECK(triangles_of(rules.allowed(down_from_one(0.5f, 0.5f), anywhere)) == std::vector{0, 1});
+    Ray behind = down_from_one(0.75f, 0.25f);
     behind.t_min = 1.5f;
     CHECK(triangles_of(rules.allowed(behind, anywhere)) == std::vector{2});
     // At a border one may fall through to the next.
     const Mesh lower = join({square, {}}, quad({0, 0, -1}, {2, 0, -1}, {2, 1, -1}, {0, 1, -1}));
-    const AllowedAnswer border = AnswerRules(lower.corners).allowed(down_at(1.0f, 0.5f), anywhere);
+    const AllowedAnswer border =
+        AnswerRules(lower.corners).allowed(down_from_one(1.0f, 0.5f), anywhere);
     CHECK_FALSE(border.miss);
     CHECK(triangles_of(border).size() == 3);
 }
 
 TEST_CASE("an end of the ray within the room of a hit allows both", "[reference][exact]") {
     const AnswerRules rules(square);
-    Ray ray = down_at(0.75f, 0.25f);
+    Ray ray = down_from_one(0.75f, 0.25f);
     ray.t_max = 1.0f;
     CHECK(rules.allowed(ray, anywhere).miss);
     CHECK(rules.allowed(ray, anywhere).hits.size() == 1);
