@@ -125,6 +125,7 @@ const ProgramLength* shortest_of(std::span<const ProgramLength> programs,
 std::vector<std::string> files_of(const std::string& structure) {
     Parts parts = walk_parts("watertight", structure);
     parts["real"] = "real/float.glsl";
+    parts["cutout"] = "cutout/none.glsl";
     return read_shader(find_pass(has_packets(structure) ? "trace_packets" : "trace"), parts).files;
 }
 

@@ -35,12 +35,7 @@ const std::vector<EffectRow>& list_effects() {
         {Effect::antialiasing, "antialiasing", {"spread_rays"}, "many rays per pixel"},
         {Effect::depth_of_field, "depth_of_field", {"lens_rays"}, "a lens instead of a pinhole"},
         {Effect::sky, "sky", {"add_sky"}, "a background that depends on the direction"},
-        {Effect::cutouts,
-         "cutouts",
-         {},
-         "surfaces with holes (map_d, alpha; the walks' part cutout/pictures.glsl)"},
         {Effect::textures, "textures", {"paint_surface"}, "textures (map_Kd)"},
-        {Effect::vertex_colors, "vertex_colors", {"tint_surface"}, "colours of vertices"},
         {Effect::diffuse, "diffuse", {"light_surface"}, "matte light (Kd)"},
         {Effect::highlights, "highlights", {"add_highlight"}, "glossy highlights (Ks, Ns)"},
         {Effect::shadows, "shadows", {"cast_lamp_rays"}, "shadow rays to the lights"},
@@ -55,6 +50,11 @@ const std::vector<EffectRow>& list_effects() {
          {"refract", "reflect_off_glass", "carry_media", "scatter_light"},
          "glass: refracted and reflected rays (illum 4, 6, 7, 9 or d < 1; Ni)"},
         {Effect::absorption, "absorption", {"absorb"}, "glass that absorbs light (Tf)"},
+        {Effect::cutouts,
+         "cutouts",
+         {},
+         "surfaces with holes (map_d, alpha; the walks' part cutout/pictures.glsl)"},
+        {Effect::vertex_colors, "vertex_colors", {"tint_surface"}, "colours of vertices"},
     };
     return rows;
 }

@@ -15,9 +15,7 @@ enum class Effect {
     antialiasing,
     depth_of_field,
     sky,
-    cutouts,
     textures,
-    vertex_colors,
     diffuse,
     highlights,
     shadows,
@@ -26,6 +24,8 @@ enum class Effect {
     mirrors,
     refraction,
     absorption,
+    cutouts,
+    vertex_colors,
 };
 
 using EffectSet = std::set<Effect>;
