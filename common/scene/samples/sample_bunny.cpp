@@ -24,6 +24,8 @@ Scene sample_bunny() {
     Scene scene = load_obj(path);
     // Like the other samples it goes by its name, and nothing is said about what its file lacks.
     scene.models.clear();
+    scene.runs.clear();
+    scene.faces.clear();
     scene.messages.clear();
     return scene;
 }
