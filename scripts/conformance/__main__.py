@@ -15,7 +15,8 @@ import tempfile
 import time
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "shrink"))
+for folder in ("shrink", "trees"):
+    sys.path.append(str(Path(__file__).resolve().parents[1] / folder))
 
 from engine import call  # noqa: E402  (the path has to be there first)
 from judge import HIT_BYTES, judge  # noqa: E402
