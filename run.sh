@@ -67,7 +67,7 @@ fi
 # What a script says of itself needs no program.
 if [[ " $* " =~ " --help " || " $* " =~ " -h " ]]; then
   [ $kind != book ] || exec python3 -B scripts/book serve --help
-  [ -z "$shrink" ] || exec python3 -B scripts/shrink --help
+  [ ${#script[@]} -eq 0 ] || exec python3 -B "scripts/${script[0]}" --help
 fi
 
 set_up $kind $install
