@@ -43,7 +43,7 @@ wait_running_until() {
 open_display() {
   # A number of its own: a server that ends removes the socket of one that has just taken the same number. Its screen is
   # a file that can be read at any time.
-  Xvfb ":$((100 + $$ % 50000))" -displayfd 3 -screen 0 800x600x24 -nolisten tcp -nocursor -fbdir "$folder" \
+  Xvfb ":$((100 + $$ % 50000))" -displayfd 3 -noreset -screen 0 800x600x24 -nolisten tcp -nocursor -fbdir "$folder" \
     3>"$folder/display" 2>"$folder/xvfb" &
   display_server=$!
   wait_until "a display" test -s "$folder/display"

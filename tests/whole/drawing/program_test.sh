@@ -95,7 +95,7 @@ open_window() {
   need Xvfb xvfb
   need xdotool xdotool
   # A number of its own: a server that ends removes the socket of one that has just taken the same number.
-  Xvfb ":$((100 + $$ % 50000))" -displayfd 3 -screen 0 1000x800x24 -nolisten tcp 3>display 2>xvfb &
+  Xvfb ":$((100 + $$ % 50000))" -displayfd 3 -noreset -screen 0 1000x800x24 -nolisten tcp 3>display 2>xvfb &
   display_server=$!
   wait_until "a display" test -s display
   DISPLAY=:$(cat display)
