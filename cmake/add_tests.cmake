@@ -1,11 +1,9 @@
 # add_tests(PROGRAM FOLDERS folder... USES module... [PACKAGES target...] [LABEL label])
 # Makes one program of the Catch2 tests in the folders, and one CTest test of each file x_test.cpp in them: its
 # cases run in one process. The label is the folder's name, or LABEL; `ctest -L 06` tests chapter 06.
-# A folder is compiled as one text, which takes a third of the time (RAYSTEPS_UNITY).
 function(add_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "FOLDERS;USES;PACKAGES")
   add_executable(${program})
-  set_target_properties(${program} PROPERTIES UNITY_BUILD ${RAYSTEPS_UNITY} UNITY_BUILD_MODE GROUP)
   list(TRANSFORM arg_USES PREPEND raysteps::)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${program} PRIVATE ${arg_USES} ${arg_PACKAGES} Catch2::Catch2WithMain)
@@ -22,13 +20,13 @@ function(add_tests program)
     add_to_tests_of(${label} ${program})
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
     target_sources(${program} PRIVATE ${sources})
-    set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${name})
     list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
     foreach(source IN LISTS sources)
       add_file_test(${program} ${name} ${source})
       set_tests_properties(${test} PROPERTIES LABELS ${label})
     endforeach()
   endforeach()
+  merge_sources(${program})
 endfunction()
 
 # add_to_tests_of(LABEL target...)

@@ -1,3 +1,4 @@
+#include "basics/text.h"
 #include "trade_offs.h"
 
 #include "basics/random_numbers.h"
@@ -137,11 +138,6 @@ Findings judge_leaving(const Shells& shells, std::span<const Ray> rays, std::spa
             static_cast<float>(glm::length(shift) / static_cast<double>(shells.radius)));
     }
     return {{acne, leak}, summarize(moved), {}};
-}
-
-std::string spoken(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
 }
 
 } // namespace

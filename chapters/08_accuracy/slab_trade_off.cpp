@@ -1,3 +1,4 @@
+#include "basics/text.h"
 #include "trade_offs.h"
 
 #include "basics/box.h"
@@ -139,11 +140,6 @@ Findings judge_boxes(std::span<const glm::uvec4> met, const BoxFamily& family) {
         in_vain += !family.truth[i] && meets ? 1.0 : 0.0;
     }
     return {{missed}, std::nullopt, {{"in vain", in_vain}}};
-}
-
-std::string spoken(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
 }
 
 } // namespace

@@ -33,14 +33,14 @@ std::vector<TrialRow> try_both(std::span<const AimedBox> aimed, PlainBox plain) 
                          count_wrong(aimed, meets_padded_box), aimed.size())};
 }
 
-int count_of(const TrialTools& tools) {
+int boxes_of(const TrialTools& tools) {
     return tools.rays > 0 ? tools.rays : usual_boxes;
 }
 
 std::vector<TrialRow> corners_of_flat_boxes(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
-    std::vector<AimedBox> aimed = rays_at_corners_of_any_box(numbers, count_of(tools));
-    for (const AimedBox& touched : rays_that_touch_a_box(numbers, count_of(tools))) {
+    std::vector<AimedBox> aimed = rays_at_corners_of_any_box(numbers, boxes_of(tools));
+    for (const AimedBox& touched : rays_that_touch_a_box(numbers, boxes_of(tools))) {
         aimed.push_back(touched);
     }
     std::vector<TrialRow> rows = try_both(aimed, PlainBox::reported);
@@ -54,7 +54,7 @@ std::vector<TrialRow> corners_of_flat_boxes(const TrialTools& tools) {
 
 std::vector<TrialRow> empty_box(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
-    const std::vector<AimedBox> aimed = rays_at_the_empty_box(numbers, count_of(tools) / 20);
+    const std::vector<AimedBox> aimed = rays_at_the_empty_box(numbers, boxes_of(tools) / 20);
     std::vector<TrialRow> rows{promised_row("box_plain", "C++", "never visited",
                                             count_wrong(aimed, meets_plain_box), aimed.size())};
     const float not_a_number = std::numeric_limits<float>::quiet_NaN();

@@ -17,7 +17,7 @@ namespace raysteps {
 
 namespace {
 
-using Mirror = mirror::EffectParts<float>;
+using GlassMirror = mirror::EffectParts<float>;
 
 constexpr double total_from = 41.810314895778596; // degrees: the arc sine of 1 / 1.5
 
@@ -80,7 +80,7 @@ std::vector<TrialRow> total_reflection(const TrialTools& tools) {
         return wrong;
     };
     if (tools.by_mirror) {
-        Mirror mirror{};
+        GlassMirror mirror{};
         const std::size_t wrong = count_wrong([&](double degrees) {
             const auto cosine = static_cast<float>(std::cos(glm::radians(degrees)));
             return static_cast<double>(1.0f - mirror.reflected_part(cosine, 1.5f, 1.0f));
@@ -98,10 +98,10 @@ std::vector<TrialRow> total_reflection(const TrialTools& tools) {
 
 // The direction of a ray that is refracted wherever it meets glass, when it has left it all; zero
 // where it has not after twenty times.
-glm::vec3 direction_behind(Mirror& mirror, Mirror::Ray ray) {
+glm::vec3 direction_behind(GlassMirror& mirror, GlassMirror::Ray ray) {
     glm::uvec4 media(0U);
     for (int i = 0; i < 20; ++i) {
-        const Mirror::Hit hit = mirror.closest_hit(ray);
+        const GlassMirror::Hit hit = mirror.closest_hit(ray);
         if (!mirror.is_hit(hit)) {
             return ray.direction;
         }
@@ -112,7 +112,7 @@ glm::vec3 direction_behind(Mirror& mirror, Mirror::Ray ray) {
     return glm::vec3(0.0f);
 }
 
-Mirror::Ray downward_ray(RandomNumbers& numbers, double degrees) {
+GlassMirror::Ray downward_ray(RandomNumbers& numbers, double degrees) {
     const double angle = glm::radians(degrees);
     const double turn = glm::radians(360.0) * static_cast<double>(numbers.unit());
     return {{0.0f, 1.0f, 0.0f},
@@ -135,14 +135,14 @@ TrialRow parallel_row(const std::string& method, const Scene& scene, double leas
                       const TrialTools& tools) {
     const mirror::SceneBuffers buffers(scene);
     const std::vector<glm::vec4> glass = pack_glass(scene);
-    Mirror mirror = mirror::mirror_of<Mirror>(buffers);
+    GlassMirror mirror = mirror::mirror_of<GlassMirror>(buffers);
     mirror.glass_texels.texels = glass;
     RandomNumbers numbers(tools.seed);
     const std::size_t tried = 1000;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < tried; ++i) {
         const double degrees = least + (most - least) * static_cast<double>(numbers.unit());
-        const Mirror::Ray ray = downward_ray(numbers, degrees);
+        const GlassMirror::Ray ray = downward_ray(numbers, degrees);
         const glm::vec3 off = direction_behind(mirror, ray) - glm::normalize(ray.direction);
         wrong += static_cast<double>(glm::length(off)) <= room_at(degrees) ? 0 : 1;
     }

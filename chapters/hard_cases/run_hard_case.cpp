@@ -14,7 +14,6 @@ namespace raysteps {
 
 namespace {
 
-constexpr int usual_rays = 10000;
 constexpr int rays_per_batch = 1 << 18; // what textures and buffers hold at a time
 
 // One batch of a case with everything that its methods need.

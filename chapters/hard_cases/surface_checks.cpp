@@ -11,10 +11,10 @@ namespace {
 
 using Mirror = mirror::walks::every_triangle<float>;
 
-constexpr int usual_rays = 20000;
+constexpr int usual_leaving_rays = 20000;
 
-int count_of(const TrialTools& tools) {
-    return tools.rays > 0 ? tools.rays : usual_rays;
+int leaving_rays_of(const TrialTools& tools) {
+    return tools.rays > 0 ? tools.rays : usual_leaving_rays;
 }
 
 // How a ray leaves a surface: from an origin moved off it, as in chapter 03; from the hit point; or
@@ -47,7 +47,7 @@ template <class Make>
 Rehits count_rehits(const TrialTools& tools, Leave leave, const Make& make) {
     RandomNumbers numbers(tools.seed);
     Rehits counts;
-    for (int i = 0; i < count_of(tools); ++i) {
+    for (int i = 0; i < leaving_rays_of(tools); ++i) {
         const SeenSurface seen = make(numbers);
         const mirror::SceneBuffers buffers(add_mesh(Scene{}, seen.mesh, Material{}));
         Mirror mirror = mirror::mirror_of<Mirror>(buffers);
@@ -97,7 +97,7 @@ std::vector<TrialRow> close_behind(const TrialTools& tools) {
     RandomNumbers numbers(tools.seed);
     std::size_t moved = 0;
     std::size_t late = 0;
-    const int count = count_of(tools) / 10 + 1;
+    const int count = leaving_rays_of(tools) / 10 + 1;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 outside = 3.0f * any_direction(numbers);
         const Mirror::Ray ray{outside, -outside, 0.0f, no_end};

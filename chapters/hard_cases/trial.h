@@ -27,6 +27,8 @@ struct TrialRow {
     std::size_t wrong = 0;
 };
 
+inline constexpr int usual_rays = 10000;
+
 // What a trial may use.
 struct TrialTools {
     int rays = 0; // of each case; 0: the usual number of the case

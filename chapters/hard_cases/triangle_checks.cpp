@@ -22,8 +22,6 @@ namespace raysteps {
 
 namespace {
 
-constexpr int usual_rays = 10000;
-
 struct Traced {
     HardScene made;
     std::vector<Hit> hits;

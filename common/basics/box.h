@@ -3,10 +3,15 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <limits>
 #include <span>
 
 namespace raysteps {
+
+inline bool is_finite(const glm::vec3& vector) {
+    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
 
 // An axis-aligned box, closed on every side. The default is the empty box: merging it changes
 // nothing.
@@ -14,6 +19,10 @@ struct Box {
     glm::vec3 lower{+std::numeric_limits<float>::infinity()};
     glm::vec3 upper{-std::numeric_limits<float>::infinity()};
 };
+
+inline bool is_finite(const Box& box) {
+    return is_finite(box.lower) && is_finite(box.upper);
+}
 
 inline bool is_empty(const Box& box) {
     return box.lower.x > box.upper.x || box.lower.y > box.upper.y || box.lower.z > box.upper.z;

@@ -113,6 +113,11 @@ std::string no_such_choice(std::string_view option, std::string_view given, std:
     return sentence + "." + did_you_mean(given, choices) + " Take one of " + listed(choices) + ".";
 }
 
+std::string spoken(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 std::string in_quotes(std::string_view word) {
     std::string text = "\"";
     for (const char character : word.substr(0, most_quoted)) {

@@ -50,6 +50,9 @@ std::string no_such_choice(std::string_view option, std::string_view given, std:
 // "one, two, three".
 std::string listed(const std::vector<std::string_view>& words);
 
+// `kay_kajiya` as people read it: kay kajiya.
+std::string spoken(std::string name);
+
 // A word from a file as it may stand in a sentence: in quotes, at most 40 characters, all
 // printable.
 std::string in_quotes(std::string_view word);

@@ -18,4 +18,9 @@ inline std::vector<Ray> joined(std::vector<Ray> first, const std::vector<Ray>& s
     return first;
 }
 
+// So many of the rays, from 0 to 1.
+inline std::size_t part_of(const std::vector<Ray>& rays, double part) {
+    return static_cast<std::size_t>(part * static_cast<double>(rays.size()));
+}
+
 } // namespace raysteps

@@ -20,10 +20,6 @@ Lattice lattice_for(const Mesh& mesh, int resolution) {
     return lattice_of(shape_grid(mesh.corners, options));
 }
 
-std::size_t part_of(const std::vector<Ray>& rays, double part) {
-    return static_cast<std::size_t>(part * static_cast<double>(rays.size()));
-}
-
 HardScene hit_beyond_its_cell(const HardRequest& request) {
     RandomNumbers numbers(request.seed);
     std::vector<Ray> rays;

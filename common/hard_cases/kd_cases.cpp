@@ -28,10 +28,6 @@ KdOptions median() {
     return options;
 }
 
-std::size_t part_of(const std::vector<Ray>& rays, double part) {
-    return static_cast<std::size_t>(part * static_cast<double>(rays.size()));
-}
-
 std::vector<Ray> all_of(const std::vector<RayFamily>& families) {
     std::vector<Ray> rays;
     for (const RayFamily& family : families) {

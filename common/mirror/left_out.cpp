@@ -48,10 +48,6 @@ BoxCrossing crossing_of(const Ray& ray, const Box& box, float t_max) {
     return crossing;
 }
 
-std::size_t place_of(std::int32_t number) {
-    return static_cast<std::size_t>(number);
-}
-
 // The least padding with which the ray meets the box, to three digits; nothing where no padding
 // does.
 std::optional<double> padding_that_keeps(const Ray& ray, const Box& box, float t_max) {

@@ -76,9 +76,6 @@ double nearest_double(const Fraction& fraction) {
 }
 
 bool is_usable(const Ray& ray) {
-    const auto is_finite = [](const glm::vec3& point) {
-        return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-    };
     return is_finite(ray.origin) && is_finite(ray.direction) && !std::isnan(ray.t_min) &&
            !std::isnan(ray.t_max);
 }
@@ -110,15 +107,9 @@ bool is_hit(const ExactSolution& solution, const Ray& ray) {
            solution.w.numerator >= 0 && lies_within(solution.t, ray.t_min, ray.t_max);
 }
 
-namespace {
-
 bool is_finite(const std::array<glm::vec3, 3>& corners) {
-    return std::all_of(corners.begin(), corners.end(), [](const glm::vec3& corner) {
-        return std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z);
-    });
+    return is_finite(corners[0]) && is_finite(corners[1]) && is_finite(corners[2]);
 }
-
-} // namespace
 
 ExactIntersection exact_intersection(const Ray& ray, const std::array<glm::vec3, 3>& corners) {
     if (!is_usable(ray) || !is_finite(corners)) {

@@ -60,6 +60,8 @@ struct ExactIntersection {
     double margin = 0.0;
 };
 
+bool is_finite(const std::array<glm::vec3, 3>& corners);
+
 // Decides without rounding whether the ray meets the closed triangle: edges, corners, t_min and
 // t_max belong to it. By definition these miss: a ray in the triangle's plane, a triangle of zero
 // area, a direction of zero, and whatever is not finite (but an infinite t_max or t_min is fine).

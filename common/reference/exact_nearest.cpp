@@ -21,14 +21,6 @@ Corners corners_of(std::span<const glm::vec3> corners, int triangle) {
     return {corners[first], corners[first + 1], corners[first + 2]};
 }
 
-bool is_finite(const glm::vec3& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-bool is_finite(const Corners& triangle) {
-    return is_finite(triangle[0]) && is_finite(triangle[1]) && is_finite(triangle[2]);
-}
-
 // Triangles that the ray may meet are asked without rounding, in the order of their numbers.
 class NearestHit {
 public:
@@ -74,7 +66,7 @@ ReferenceHit nearest_of(const Ray& ray, std::span<const glm::vec3> corners,
 // A difference of two floats in double is wrong by e = 2^-53 of itself, each product by e more, and
 // so is their difference: by at most (3 + 3 e) e times the sum with absolute values. One e more
 // pays for rounding the bound itself. Products of two such numbers do not underflow.
-constexpr double error_factor = 4.0 / 9007199254740992.0;
+constexpr double cross_error_factor = 4.0 / 9007199254740992.0;
 
 // Whether the line of the ray, seen along the third axis, surely passes beside the box: all four
 // corners then lie on one side of it.
@@ -88,7 +80,7 @@ bool passes_beside(const Ray& ray, const Box& box, int first, int second) {
                 along_first * (static_cast<double>(y) - static_cast<double>(ray.origin[second]));
             const double b =
                 along_second * (static_cast<double>(x) - static_cast<double>(ray.origin[first]));
-            const double error = error_factor * (std::abs(a) + std::abs(b));
+            const double error = cross_error_factor * (std::abs(a) + std::abs(b));
             sides += static_cast<int>(a - b > error) - static_cast<int>(a - b < -error);
         }
     }

@@ -56,7 +56,7 @@ glm::dvec3 sides_of(const Box& box) {
     return is_empty(box) ? glm::dvec3(0.0) : glm::dvec3(box.upper) - glm::dvec3(box.lower);
 }
 
-double greatest_of(const glm::dvec3& vector) {
+double greatest_side(const glm::dvec3& vector) {
     return std::max({vector.x, vector.y, vector.z});
 }
 
@@ -68,14 +68,14 @@ constexpr double thinnest_slab = 0.02;  // of the largest side: what a floor's e
 constexpr double level_enough = 1e-3;   // of its own largest side, for a triangle to be level
 
 bool is_level(const glm::dvec3& sides, int axis) {
-    return sides[axis] <= level_enough * greatest_of(sides);
+    return sides[axis] <= level_enough * greatest_side(sides);
 }
 
 // The box of what is left without a floor across the axis and the edges of its slab; empty where
 // there is no floor.
 Box without_floor(const Scene& scene, const Box& box, int axis) {
     const glm::dvec3 sides = sides_of(box);
-    const double whole = greatest_of(sides);
+    const double whole = greatest_side(sides);
     if (!(sides[axis] > 0.0)) {
         return {};
     }
@@ -101,7 +101,7 @@ Box without_floor(const Scene& scene, const Box& box, int axis) {
         const bool in_floor = is_level(own, axis) &&
                               height_of(one) == static_cast<std::size_t>(floor - areas.begin());
         const bool in_edge =
-            greatest_of(own) >= greatest_things * whole && own[axis] <= thinnest_slab * whole;
+            greatest_side(own) >= greatest_things * whole && own[axis] <= thinnest_slab * whole;
         if (!in_floor && !in_edge) {
             things = merge(things, one);
         }
@@ -114,9 +114,9 @@ Box box_of_things(const Scene& scene) {
     Box smallest = box;
     for (int axis = 0; axis < 3 && !is_empty(box); ++axis) {
         const Box things = without_floor(scene, box, axis);
-        const double side = greatest_of(sides_of(things));
-        if (side > 0.0 && side <= greatest_things * greatest_of(sides_of(box)) &&
-            side < greatest_of(sides_of(smallest))) {
+        const double side = greatest_side(sides_of(things));
+        if (side > 0.0 && side <= greatest_things * greatest_side(sides_of(box)) &&
+            side < greatest_side(sides_of(smallest))) {
             smallest = things;
         }
     }

@@ -1,5 +1,6 @@
 #include "scene/ray_file.h"
 
+#include "basics/box.h"
 #include "basics/error.h"
 #include "basics/file.h"
 #include "basics/text.h"
@@ -36,10 +37,6 @@ std::vector<Ray> parse_binary(const std::string& bytes, const std::filesystem::p
         std::memcpy(rays.data(), bytes.data(), bytes.size());
     }
     return rays;
-}
-
-bool is_finite(const glm::vec3& vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
 void check(const Ray& ray, std::size_t number, const std::filesystem::path& path) {

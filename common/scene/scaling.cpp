@@ -22,10 +22,6 @@ glm::vec3 scaled(const glm::vec3& length, int exponent) {
             std::ldexp(length.z, exponent)};
 }
 
-bool is_finite(const glm::vec3& vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
-
 } // namespace
 
 Camera scaled(Camera camera, int exponent) {

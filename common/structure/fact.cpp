@@ -33,8 +33,7 @@ std::string readable(const Fact& fact) {
     const std::string unit = last == std::string::npos ? "" : fact.name.substr(last + 1);
     const bool is_time = unit == "seconds";
     const bool is_memory = unit == "bytes";
-    std::string name = is_time || is_memory ? fact.name.substr(0, last) : fact.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string name = spoken(is_time || is_memory ? fact.name.substr(0, last) : fact.name);
     if (is_time) {
         return name + " " + scaled(fact.value, of_time);
     }

@@ -185,7 +185,7 @@ struct ExplainFourBoxes {
 };
 
 template <template <class, class> class Walk>
-WalkRecorder make(const RecorderInput& input) {
+WalkRecorder make_bvh(const RecorderInput& input) {
     using Mirror = Walk<float, mirror::Recorder>;
     if constexpr (requires(Mirror mirror) { mirror.bvh4_nodes; }) {
         return recorder_of<Mirror, ExplainFourBoxes<Mirror>>(input);
@@ -197,7 +197,7 @@ WalkRecorder make(const RecorderInput& input) {
 } // namespace
 
 Recorders bvh_recorders() {
-#define WALK(name) {#name, make<mirror::walks::name>},
+#define WALK(name) {#name, make_bvh<mirror::walks::name>},
     return {WALKS_IN_bvh};
 #undef WALK
 }

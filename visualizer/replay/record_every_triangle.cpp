@@ -35,7 +35,7 @@ struct ExplainTest {
 };
 
 template <template <class, class> class Walk>
-WalkRecorder make(const RecorderInput& input) {
+WalkRecorder make_every_triangle(const RecorderInput& input) {
     using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainTest<Mirror>>(input);
 }
@@ -43,7 +43,7 @@ WalkRecorder make(const RecorderInput& input) {
 } // namespace
 
 Recorders loop_recorders() {
-#define WALK(name) {#name, make<mirror::walks::name>},
+#define WALK(name) {#name, make_every_triangle<mirror::walks::name>},
     return {WALKS_IN_structure};
 #undef WALK
 }

@@ -53,7 +53,7 @@ struct ExplainCell {
 };
 
 template <template <class, class> class Walk>
-WalkRecorder make(const RecorderInput& input) {
+WalkRecorder make_grid(const RecorderInput& input) {
     using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainCell<Mirror>>(input);
 }
@@ -61,7 +61,7 @@ WalkRecorder make(const RecorderInput& input) {
 } // namespace
 
 Recorders grid_recorders() {
-#define WALK(name) {#name, make<mirror::walks::name>},
+#define WALK(name) {#name, make_grid<mirror::walks::name>},
     return {WALKS_IN_grid};
 #undef WALK
 }

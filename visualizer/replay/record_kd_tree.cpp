@@ -101,7 +101,7 @@ struct ExplainNode {
 };
 
 template <template <class, class> class Walk>
-WalkRecorder make(const RecorderInput& input) {
+WalkRecorder make_kd_tree(const RecorderInput& input) {
     using Mirror = Walk<float, mirror::Recorder>;
     return recorder_of<Mirror, ExplainNode<Mirror>>(input);
 }
@@ -109,7 +109,7 @@ WalkRecorder make(const RecorderInput& input) {
 } // namespace
 
 Recorders kd_tree_recorders() {
-#define WALK(name) {#name, make<mirror::walks::name>},
+#define WALK(name) {#name, make_kd_tree<mirror::walks::name>},
     return {WALKS_IN_kd_tree};
 #undef WALK
 }

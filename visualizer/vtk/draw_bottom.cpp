@@ -23,7 +23,7 @@ std::string name_at_end(const Stage& stage, const RecordedWalk& walk, std::size_
     return name.empty() ? "" : " (" + name + ")";
 }
 
-constexpr int line = 22;
+constexpr int bottom_line = 22;
 
 // The slider shows the steps of the first pane.
 void draw_slider(vtkRenderer& renderer, const Area& slider, const RecordedWalk& walk, int steps,
@@ -86,7 +86,7 @@ void write_parting(vtkRenderer& renderer, const Stage& stage, const State& state
 
 void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage,
                  const State& state) {
-    int y = layout.step_slider.y - line - 2;
+    int y = layout.step_slider.y - bottom_line - 2;
     const int width = layout.bottom.width - 2 * margin;
     if (!stage.ray()) {
         const std::string hint = hint_of();
@@ -101,29 +101,29 @@ void draw_bottom(vtkRenderer& renderer, const Layout& layout, const Stage& stage
         const RecordedWalk& walk = *walk_in(*pane, state);
         if (walk.steps.empty()) {
             write(renderer, head_of(stage, *pane) + ending_of(walk), {margin, y}, {.size = 16});
-            y -= 2 * line;
+            y -= 2 * bottom_line;
             continue;
         }
         const std::size_t step = step_in(walk, state);
         const std::string sentence = head_of(stage, *pane) + sentence_of(pane->cells, walk, step) +
                                      name_at_end(stage, walk, step);
         write(renderer, sentence, {margin, y}, {.size = size_to_fit(sentence, width, 16)});
-        y -= line;
+        y -= bottom_line;
         const std::string text = shader_text(walk, step);
         write(renderer, text, {margin, y},
               {.color = faint_ink,
                .size = size_to_fit(text, width * 5 / 6, 14), // every letter is wide
                .font = Font::code});
-        y -= line;
+        y -= bottom_line;
     }
     if (stage.panes().size() > 1) {
         write_parting(renderer, stage, state, y);
-        y -= line;
+        y -= bottom_line;
     }
     for (const std::string& text : lines_of_why(stage, state)) {
         write(renderer, text, {margin, y},
               {.color = warning_ink, .size = size_to_fit(text, width, 14)});
-        y -= line;
+        y -= bottom_line;
     }
     if (has_note(state)) {
         write(renderer, stage.note(), {margin, y},

@@ -1,3 +1,4 @@
+#include "basics/text.h"
 #include "draw.h"
 
 #include "paint.h"
@@ -15,7 +16,7 @@ namespace raysteps::view {
 
 namespace {
 
-constexpr int line = 20;
+constexpr int side_line = 20;
 
 // A column of text that grows downwards.
 struct Column {
@@ -27,7 +28,7 @@ struct Column {
 
 void add_line(Column& column, const std::string& text, const Writing& writing) {
     write(column.renderer, text, {column.x, column.y}, writing);
-    column.y -= line;
+    column.y -= side_line;
 }
 
 void add_heading(Column& column, const std::string& text) {
@@ -43,7 +44,7 @@ void add_fact(Column& column, const std::string& name, const std::string& value)
 void add_swatch(Column& column, const glm::vec3& color, const std::string& text) {
     fill(column.renderer, {column.x, column.y + 1, 20, 9}, color);
     write(column.renderer, text, {column.x + 30, column.y}, {.size = 13});
-    column.y -= line - 1;
+    column.y -= side_line - 1;
 }
 
 void add_color_bar(Column& column, const Stage& stage, const State& state) {
@@ -56,7 +57,7 @@ void add_color_bar(Column& column, const Stage& stage, const State& state) {
         fill(column.renderer, {left, column.y - 2, column.x + width * (i + 1) / parts - left, 14},
              color_in({0.0, parts - 1.0}, i));
     }
-    column.y -= line - 1;
+    column.y -= side_line - 1;
     const Writing small{.color = faint_ink, .size = 12};
     Writing middle = small;
     middle.side = Side::center;
@@ -124,8 +125,7 @@ std::string fact_name(const Fact& fact) {
             name.resize(name.size() - unit.size());
         }
     }
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
+    return spoken(name);
 }
 
 std::string corner_text(const glm::vec3& corner) {
@@ -197,7 +197,7 @@ void add_compared_facts(Column& column, const Stage& stage, int lowest) {
         write(column.renderer, std::string(1, static_cast<char>('A' + i)), {right_of(i), column.y},
               {.size = 13, .font = Font::bold, .side = Side::right});
     }
-    column.y -= line;
+    column.y -= side_line;
     for (const std::string& name : names) {
         if (column.y < lowest) {
             return;
@@ -223,7 +223,7 @@ void add_facts(Column& column, const Stage& stage, int lowest) {
         return;
     }
     for (const std::unique_ptr<Pane>& pane : stage.panes()) {
-        if (pane->built.facts.empty() || column.y - 3 * line < lowest) {
+        if (pane->built.facts.empty() || column.y - 3 * side_line < lowest) {
             continue;
         }
         add_heading(column, pane->label);

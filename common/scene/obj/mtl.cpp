@@ -99,7 +99,7 @@ bool asks_for_nothing(const std::vector<std::string_view>& words) {
                        [](std::string_view word) { return to_number(word) == 0.0; });
 }
 
-bool is_known(std::string_view keyword) {
+bool is_known_keyword_of_mtl(std::string_view keyword) {
     return std::find(known_but_not_used.begin(), known_but_not_used.end(), keyword) !=
            known_but_not_used.end();
 }
@@ -139,7 +139,7 @@ void MtlCleaner::take(const TextLine& line) {
         clean.text.append(keyword).append(" ").append(after_first_word(line.text)).append("\n");
     else if (asks_for_nothing(words))
         return;
-    else if (is_known(keyword)) {
+    else if (is_known_keyword_of_mtl(keyword)) {
         note(std::string(keyword) + " is not shown");
         glows_by_picture_ = glows_by_picture_ || keyword == "map_Ke";
     } else

@@ -170,7 +170,7 @@ constexpr std::array<std::string_view, 36> known_but_not_drawn = {
     "res",   "scrv",      "shadow_obj", "sp",    "stech",    "step",  "surf",     "t",
     "trim",  "trace_obj", "usemap",     "vp"};
 
-bool is_known(std::string_view keyword) {
+bool is_known_keyword_of_obj(std::string_view keyword) {
     return std::find(known_but_not_drawn.begin(), known_but_not_drawn.end(), keyword) !=
            known_but_not_drawn.end();
 }
@@ -212,7 +212,7 @@ std::string ObjStatements::checked(const std::vector<std::string_view>& words) {
         keep_smoothing_group(words);
     else if (keyword == "f")
         findings_.note("A face with fewer than three corners was dropped", line_.number);
-    else if (!is_known(keyword))
+    else if (!is_known_keyword_of_obj(keyword))
         findings_.note("OBJ has no statement " + in_quotes(keyword) +
                            " (its own are in small letters), so the line was skipped",
                        line_.number);

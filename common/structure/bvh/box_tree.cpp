@@ -4,13 +4,7 @@
 
 namespace raysteps {
 
-namespace {
-
-std::size_t place_of(std::int32_t number) {
-    return static_cast<std::size_t>(number);
-}
-
-} // namespace
+namespace {} // namespace
 
 std::span<const std::int32_t> children_of(const BoxTree& tree, std::size_t node) {
     const auto width = static_cast<std::size_t>(tree.width);

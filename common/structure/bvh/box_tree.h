@@ -28,6 +28,15 @@ struct BoxTree {
     double padding = 0.0; // as of a Bvh; 0 where boxes are tight
 };
 
+// Where a number of the file that is not negative stands in an array.
+inline std::size_t place_of(std::int32_t number) {
+    return static_cast<std::size_t>(number);
+}
+
+inline bool is_child(const BoxTree& tree, std::int32_t child) {
+    return child >= 0 && place_of(child) < tree.nodes.size();
+}
+
 std::span<const std::int32_t> children_of(const BoxTree& tree, std::size_t node);
 bool is_leaf(const BoxTree& tree, std::size_t node);
 

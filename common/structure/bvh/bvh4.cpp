@@ -13,7 +13,7 @@ namespace raysteps {
 namespace {
 
 constexpr std::size_t texels_per_node = 8;
-constexpr std::size_t most_nodes = std::size_t{1} << 27;
+constexpr std::size_t most_bvh4_nodes = std::size_t{1} << 27;
 constexpr float farthest = std::numeric_limits<float>::max();
 
 // The nodes of a binary tree that become the children of one: those that stand in for the branch.
@@ -151,10 +151,10 @@ std::int32_t way_up(std::int32_t parent) {
 } // namespace
 
 PackedStructure pack(const Bvh4& bvh, std::span<const glm::vec3> corners) {
-    if (bvh.parents.size() > most_nodes) {
+    if (bvh.parents.size() > most_bvh4_nodes) {
         throw InputError("A BVH of " + std::to_string(bvh.parents.size()) +
                          " nodes is too large for its walks, which take " +
-                         std::to_string(most_nodes) +
+                         std::to_string(most_bvh4_nodes) +
                          ". Raise --leaf-triangles, or take a smaller scene.");
     }
     PackedStructure structure;

@@ -18,8 +18,8 @@ BvhOptions for_four_boxes() {
 }
 
 // Of two children a node, as collapse makes nodes of four: of its boxes, some are left out.
-BuiltStructure read(const std::string& file, std::span<const glm::vec3> corners,
-                    const BvhOptions& options) {
+BuiltStructure read_bvh4(const std::string& file, std::span<const glm::vec3> corners,
+                         const BvhOptions& options) {
     const auto [bvh, seconds] = timed([&] {
         return tree_from_file<BoxTree>(
             file, corners, [&](const BoxTree& tree) { return bvh4_of(tree, corners.size() / 3); });
@@ -30,10 +30,10 @@ BuiltStructure read(const std::string& file, std::span<const glm::vec3> corners,
     return built;
 }
 
-BuiltStructure build(std::span<const glm::vec3> corners, const BuildRequest& request) {
+BuiltStructure build_family_bvh4(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const BvhOptions options = bvh4_options_of(request);
     if (const std::string file = asked_tree(request); !file.empty()) {
-        return read(file, corners, options);
+        return read_bvh4(file, corners, options);
     }
     const auto [binary, seconds] = timed([&] { return build_bvh(corners, options); });
     const auto [bvh, more_seconds] = timed([&, &binary = binary] { return collapse(binary); });
@@ -54,7 +54,7 @@ BvhOptions bvh4_options_of(const BuildRequest& request) {
 // Serves structure/bvh/bvh4.glsl: the tree of the family `bvh`, with its options, but up to four
 // children a node.
 StructureFamily family_bvh4() {
-    return {"bvh4", bvh_build_options(for_four_boxes()), build};
+    return {"bvh4", bvh_build_options(for_four_boxes()), build_family_bvh4};
 }
 
 } // namespace raysteps

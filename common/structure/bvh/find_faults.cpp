@@ -14,18 +14,6 @@ namespace raysteps {
 
 namespace {
 
-std::size_t place_of(std::int32_t number) {
-    return static_cast<std::size_t>(number);
-}
-
-bool is_finite(const Box& box) {
-    bool finite = true;
-    for (int axis = 0; axis < 3; ++axis) {
-        finite = finite && std::isfinite(box.lower[axis]) && std::isfinite(box.upper[axis]);
-    }
-    return finite;
-}
-
 // Where the inner box reaches out of the outer one; nothing where it does not. Both are numbers.
 struct Excess {
     int axis = 0;

@@ -7,14 +7,6 @@ namespace raysteps {
 
 namespace {
 
-std::size_t place_of(std::int32_t number) {
-    return static_cast<std::size_t>(number);
-}
-
-bool is_child(const BoxTree& tree, std::int32_t child) {
-    return child >= 0 && place_of(child) < tree.nodes.size();
-}
-
 Box common_part(const Box& a, const Box& b) {
     return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)};
 }

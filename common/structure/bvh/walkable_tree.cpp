@@ -9,14 +9,6 @@ namespace raysteps {
 
 namespace {
 
-std::size_t place_of(std::int32_t number) {
-    return static_cast<std::size_t>(number);
-}
-
-bool is_child(const BoxTree& tree, std::int32_t child) {
-    return child >= 0 && place_of(child) < tree.nodes.size();
-}
-
 [[noreturn]] void refuse(const std::string& what) {
     throw InputError(what + ". No walk can go through this tree; `./run.sh check` lists all that "
                             "is wrong with it.");

@@ -1,5 +1,6 @@
 #include "scene/samples/sample_scenes.h"
 
+#include "basics/box.h"
 #include "catch.h"
 #include "scene/load_scene.h"
 #include "scene_tests.h"
@@ -40,10 +41,6 @@ const std::vector<KnownSample> known_samples = {
     {"needles:1:0", 1, 3},
     {"needles:1000:5", 1000, 3000},
 };
-
-bool is_finite(const glm::vec3& vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
 
 } // namespace
 

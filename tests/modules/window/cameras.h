@@ -1,5 +1,6 @@
 #pragma once
 
+#include "basics/box.h"
 #include "scene/scene.h"
 
 #include <glm/geometric.hpp>
@@ -58,10 +59,6 @@ inline double largest_coordinate(const Camera& camera) {
 // by e = sqrt(3) * 2^-24 * (|target| + distance).
 inline double rounding_of(const Camera& camera) {
     return std::sqrt(3.0) * std::ldexp(1.0, -24) * largest_coordinate(camera);
-}
-
-inline bool is_finite(const glm::vec3& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 // Eye, target and up are numbers; up is as long as 1 and square to the line of sight, but for its
