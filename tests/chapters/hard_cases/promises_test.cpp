@@ -1,9 +1,15 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "gpu/shaders.h"
+#include "hard_cases/conformance.h"
 #include "hard_cases/trials.h"
 #include "mirror/trace_by_mirror.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
 #include <set>
 
 using namespace raysteps;
@@ -29,7 +35,63 @@ void check_section(char section, int rays) {
     CHECK(promises > 0);
 }
 
+// How far inside of a body, convex or nearly so, an origin is: the least distance to a plane of its
+// faces, along the axis where it is greatest. In parts of the reach; negative outside.
+double depth_inside(std::span<const glm::vec3> corners, const glm::vec3& origin) {
+    glm::dvec3 middle(0.0);
+    for (const glm::vec3& corner : corners) {
+        middle += glm::dvec3(corner) / static_cast<double>(corners.size());
+    }
+    double depth = std::numeric_limits<double>::infinity();
+    double reach = 0.0;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        const glm::dvec3 a(corners[i]);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(corners[i + 1]) - a, glm::dvec3(corners[i + 2]) - a);
+        const double outwards = glm::dot(normal, a - middle) < 0.0 ? -1.0 : 1.0;
+        const glm::dvec3 size = glm::abs(normal);
+        const double sides = size.x + size.y + size.z;
+        if (sides > 0.0) { // a line has no plane
+            const double above = glm::dot(normal, a - glm::dvec3(origin));
+            depth = std::min(depth, outwards * above / sides);
+        }
+        for (std::size_t k = i; k < i + 3; ++k) {
+            const glm::dvec3 seen = glm::abs(glm::dvec3(corners[k]) - glm::dvec3(origin));
+            reach = std::max({reach, seen.x, seen.y, seen.z});
+        }
+    }
+    return depth / reach;
+}
+
 } // namespace
+
+TEST_CASE("rays from inside start no nearer to a wall than is promised", "[hard_cases][T]") {
+    for (const ConformanceFamily& family : conformance_families()) {
+        if (family.origin != AnswerRules::Origin::inside) {
+            continue;
+        }
+        const HardScene made = family.make({.rays = 200, .seed = 3});
+        for (const Ray& ray : made.rays) {
+            CAPTURE(family.name, ray.origin.x, ray.origin.y, ray.origin.z);
+            CHECK(depth_inside(made.mesh.corners, ray.origin) >= 0x1p-19);
+        }
+    }
+}
+
+TEST_CASE("doubles give the suite no other answer than exact arithmetic", "[hard_cases][exact]") {
+    for (const ConformanceFamily& family : conformance_families()) {
+        CAPTURE(family.name);
+        const HardScene made = family.make({.rays = 30, .seed = 4});
+        const AnswerRules filtered(made.mesh.corners);
+        const AnswerRules exact(made.mesh.corners, Arithmetic::exact);
+        for (const Ray& ray : made.rays) {
+            const AllowedAnswer one = filtered.allowed(ray, family.origin);
+            const AllowedAnswer other = exact.allowed(ray, family.origin);
+            CHECK((one.miss == other.miss && one.anything == other.anything));
+            CHECK(one.hits == other.hits);
+        }
+    }
+}
 
 TEST_CASE("what the paper gets wrong is right here", "[hard_cases][P]") {
     check_section('P', 1000);
