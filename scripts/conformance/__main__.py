@@ -39,7 +39,7 @@ def arguments():
     parser.add_argument("--memory", type=float, default=8.0, help="the most memory that it may take, in GiB (8)")
     parser.add_argument("--out", type=Path, default=Path("out/conformance"), help="the folder for what is found")
     parser.add_argument("--json", type=Path, help="a file for the figures")
-    parser.add_argument("--table", type=Path, nargs="+", help="files of --json: a table of them, and nothing is run")
+    parser.add_argument("--table", type=Path, nargs="+", help="files of --json, or cards of readers' GPUs that the playground saved: a table, and nothing is run")
     parser.add_argument("--generator", type=Path, help=argparse.SUPPRESS)
     return parser.parse_args()
 
