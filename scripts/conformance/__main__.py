@@ -29,7 +29,10 @@ DONE, FOUND, WRONG_INPUT = 0, 1, 2
 
 def arguments():
     parser = argparse.ArgumentParser(prog="./run.sh conformance",
-                                     description="Hard cases with exact answers, for any ray tracer.")
+                                     description="Hard cases with exact answers, for any ray tracer. It prints a line for "
+                                     "each family: rays, wrong answers, their rate per million, seconds.",
+                                     epilog="docs/conformance/README.md says what is in the files, and what is right. For "
+                                     "example: ./run.sh conformance --command 'my_engine %t %r %h' --families edges,corners")
     parser.add_argument("--command", help="the engine: %%m a model, %%t its triangles, %%r rays, %%h the file for hits")
     parser.add_argument("--name", default="engine", help="what to call it")
     parser.add_argument("--suite", type=Path, default=SMALL, help="the folder of the suite; docs/conformance/suite")

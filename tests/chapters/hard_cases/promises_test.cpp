@@ -35,32 +35,31 @@ void check_section(char section, int rays) {
     CHECK(promises > 0);
 }
 
-// How far inside of a body, convex or nearly so, an origin is: the least distance to a plane of its
-// faces, along the axis where it is greatest. In parts of the reach; negative outside.
-double depth_inside(std::span<const glm::vec3> corners, const glm::vec3& origin) {
-    glm::dvec3 middle(0.0);
-    for (const glm::vec3& corner : corners) {
-        middle += glm::dvec3(corner) / static_cast<double>(corners.size());
-    }
-    double depth = std::numeric_limits<double>::infinity();
+// The greatest of three numbers.
+double greatest(const glm::dvec3& point) {
+    return std::max({point.x, point.y, point.z});
+}
+
+// How far a surface surely is from an origin, along the axis where it is farthest, in parts of the
+// reach: from each triangle's plane, or from the box around it, whichever is farther.
+double distance_to(std::span<const glm::vec3> corners, const glm::vec3& origin) {
+    double distance = std::numeric_limits<double>::infinity();
     double reach = 0.0;
     for (std::size_t i = 0; i < corners.size(); i += 3) {
-        const glm::dvec3 a(corners[i]);
-        const glm::dvec3 normal =
-            glm::cross(glm::dvec3(corners[i + 1]) - a, glm::dvec3(corners[i + 2]) - a);
-        const double outwards = glm::dot(normal, a - middle) < 0.0 ? -1.0 : 1.0;
+        const glm::dvec3 a = glm::dvec3(corners[i]) - glm::dvec3(origin);
+        const glm::dvec3 b = glm::dvec3(corners[i + 1]) - glm::dvec3(origin);
+        const glm::dvec3 c = glm::dvec3(corners[i + 2]) - glm::dvec3(origin);
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
         const glm::dvec3 size = glm::abs(normal);
         const double sides = size.x + size.y + size.z;
-        if (sides > 0.0) { // a line has no plane
-            const double above = glm::dot(normal, a - glm::dvec3(origin));
-            depth = std::min(depth, outwards * above / sides);
-        }
-        for (std::size_t k = i; k < i + 3; ++k) {
-            const glm::dvec3 seen = glm::abs(glm::dvec3(corners[k]) - glm::dvec3(origin));
-            reach = std::max({reach, seen.x, seen.y, seen.z});
-        }
+        const double to_plane = sides > 0.0 ? std::abs(glm::dot(normal, a)) / sides : 0.0;
+        const glm::dvec3 lower = glm::min(a, glm::min(b, c));
+        const glm::dvec3 upper = glm::max(a, glm::max(b, c));
+        const double to_box = greatest(glm::max(lower, -upper));
+        distance = std::min(distance, std::max(to_plane, to_box));
+        reach = std::max(reach, greatest(glm::max(-lower, upper)));
     }
-    return depth / reach;
+    return distance / reach;
 }
 
 } // namespace
@@ -73,7 +72,7 @@ TEST_CASE("rays from inside start no nearer to a wall than is promised", "[hard_
         const HardScene made = family.make({.rays = 200, .seed = 3});
         for (const Ray& ray : made.rays) {
             CAPTURE(family.name, ray.origin.x, ray.origin.y, ray.origin.z);
-            CHECK(depth_inside(made.mesh.corners, ray.origin) >= 0x1p-19);
+            CHECK(distance_to(made.mesh.corners, ray.origin) >= 0x1p-19);
         }
     }
 }
