@@ -3,6 +3,9 @@
 # a third of the time. Files that stand alone by a property of theirs (SKIP_UNITY_BUILD_INCLUSION) stay alone.
 function(merge_sources target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAYSTEPS_UNITY} UNITY_BUILD_MODE GROUP)
+  if(RAYSTEPS_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage) # g++ takes each source for a header
+  endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source)

@@ -43,6 +43,16 @@ std::string rounding_of(const Numbers& rounding) {
     return wrong.empty() ? "as the lessons do" : wrong;
 }
 
+// Of the conformance suite, where the card has it.
+std::string hard_cases_of(const Numbers& figures) {
+    const Numbers* suite = figures.find("conformance");
+    if (suite == nullptr) {
+        return "";
+    }
+    return fmt::format("; hard cases {:.0f} of {:.0f} wrong", number_above(*suite, "wrong", 0.0),
+                       number_above(*suite, "tried", 1.0));
+}
+
 CardRate rate_of(const Numbers& walk) {
     CardRate rate{printable(walk.at("contender").text()),
                   number_above(walk, "rays", 1.0),
@@ -65,6 +75,7 @@ GpuCard card_of(const std::filesystem::path& path) {
                  printable(figures.at("scene").text()),
                  printable(figures.at("triangle").text()),
                  rounding_of(figures.at("rounding")),
+                 hard_cases_of(figures),
                  {}};
     if (card.timer != "gpu" && card.timer != "clock") {
         throw InputError("`timer` is neither gpu nor clock");
@@ -159,8 +170,8 @@ std::string to_table(const std::vector<GpuCard>& cards) {
         width = std::max(width, card.file.size());
     }
     for (const GpuCard& card : cards) {
-        table += fmt::format("{:{}}  {}; triangle test {}; rounds {}\n", card.file, width,
-                             card.renderer, card.triangle, card.rounding);
+        table += fmt::format("{:{}}  {}; triangle test {}; rounds {}{}\n", card.file, width,
+                             card.renderer, card.triangle, card.rounding, card.hard_cases);
     }
     for (const std::string& scene : scenes) {
         table += table_of_scene(cards, scene);

@@ -24,7 +24,8 @@ struct GpuCard {
     std::string timer; // gpu or clock
     std::string scene;
     std::string triangle;
-    std::string rounding; // for people: as the lessons do, or what does not hold
+    std::string rounding;   // for people: as the lessons do, or what does not hold
+    std::string hard_cases; // how many of the conformance suite are wrong; empty where not asked
     std::vector<CardRate> rates;
 };
 

@@ -94,8 +94,9 @@ HardScene ends_at_a_hit(const HardRequest& request) {
     const Mesh mesh = sphere(glm::vec3(0.0f), 1.0f, 3);
     constexpr std::array factors{1.0f, 0x1.fffffep-1f, 0x1.000002p+0f, 0.999f, 1.001f};
     std::vector<Ray> rays = rays_at_triangles(numbers, mesh.corners, request.rays);
+    const std::vector<ReferenceHit> nearest = exact_nearest_hits(rays, mesh.corners);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto t = static_cast<float>(exact_nearest_hit(rays[i], mesh.corners).t);
+        const auto t = static_cast<float>(nearest[i].t);
         const float end = factors[i % factors.size()] * (t < 1e6f ? t : 1.0f);
         (i / factors.size() % 2 == 0 ? rays[i].t_max : rays[i].t_min) = end;
     }

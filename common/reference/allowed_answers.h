@@ -1,6 +1,8 @@
 #pragma once
 
 #include "basics/ray.h"
+#include "reference/near_triangle.h"
+#include "reference/triangle_boxes.h"
 
 #include <cstdint>
 #include <span>
@@ -16,6 +18,8 @@ struct AllowedHit {
     std::int32_t triangle = no_triangle;
     float t_least = 0.0f;
     float t_most = 0.0f;
+
+    bool operator==(const AllowedHit&) const = default;
 };
 
 struct AllowedAnswer {
@@ -27,7 +31,8 @@ struct AllowedAnswer {
 // Who asks about all rays of a mesh. Corners are finite, three per triangle.
 class AnswerRules {
 public:
-    explicit AnswerRules(std::span<const glm::vec3> corners);
+    explicit AnswerRules(std::span<const glm::vec3> corners,
+                         Arithmetic arithmetic = Arithmetic::filtered);
 
     // From inside a closed mesh a ray must hit whatever comes.
     enum class Origin { anywhere, inside };
@@ -35,13 +40,16 @@ public:
     AllowedAnswer allowed(const Ray& ray, Origin origin) const;
 
 private:
-    struct NearTriangle; // a triangle that the ray's line comes near to
+    struct Patches;
 
     std::vector<NearTriangle> near_triangles(const Ray& ray) const;
-    void find_sure_hits(const Ray& ray, std::span<const NearTriangle> near, bool facing,
+    Patches patches_of(std::span<NearTriangle> near, bool facing) const;
+    void find_sure_hits(const Ray& ray, std::span<NearTriangle> near, bool facing,
                         AllowedAnswer& answer) const;
 
     std::span<const glm::vec3> corners_;
+    Arithmetic arithmetic_;
+    TriangleBoxes boxes_;
     std::vector<std::int32_t> points_; // of each corner: equal corners have equal numbers
 };
 

@@ -29,7 +29,10 @@ DONE, FOUND, WRONG_INPUT = 0, 1, 2
 
 def arguments():
     parser = argparse.ArgumentParser(prog="./run.sh conformance",
-                                     description="Hard cases with exact answers, for any ray tracer.")
+                                     description="Hard cases with exact answers, for any ray tracer. It prints a line for "
+                                     "each family: rays, wrong answers, their rate per million, seconds.",
+                                     epilog="docs/conformance/README.md says what is in the files, and what is right. For "
+                                     "example: ./run.sh conformance --command 'my_engine %t %r %h' --families edges,corners")
     parser.add_argument("--command", help="the engine: %%m a model, %%t its triangles, %%r rays, %%h the file for hits")
     parser.add_argument("--name", default="engine", help="what to call it")
     parser.add_argument("--suite", type=Path, default=SMALL, help="the folder of the suite; docs/conformance/suite")
@@ -39,7 +42,7 @@ def arguments():
     parser.add_argument("--memory", type=float, default=8.0, help="the most memory that it may take, in GiB (8)")
     parser.add_argument("--out", type=Path, default=Path("out/conformance"), help="the folder for what is found")
     parser.add_argument("--json", type=Path, help="a file for the figures")
-    parser.add_argument("--table", type=Path, nargs="+", help="files of --json: a table of them, and nothing is run")
+    parser.add_argument("--table", type=Path, nargs="+", help="files of --json, or cards of readers' GPUs that the playground saved: a table, and nothing is run")
     parser.add_argument("--generator", type=Path, help=argparse.SUPPRESS)
     return parser.parse_args()
 

@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path
 
 from judge import bounds
+from suite import SuiteError
 
 ROOT = Path(__file__).resolve().parents[2]
 STYLE = """:root { color-scheme: light dark } body { font: 16px/1.5 "DejaVu Sans", Verdana, sans-serif; margin: 2em auto;
@@ -113,9 +114,20 @@ def cell_of(row):
     return f"{row['wrong'] - weights} + {weights}" if weights else str(row["wrong"])
 
 
+def run_in(path):
+    """The figures of a run; or those in a card that the playground saved of a reader's GPU."""
+    figures = json.loads(path.read_text())
+    if "families" in figures:
+        return figures
+    if "conformance" not in figures:
+        raise SuiteError(f"{path}: it has no run of the suite. Name files of --json, or cards that the book's playground saved.")
+    rows = [{**row, "ended": "done", "wrong_by_kind": {}} for row in figures["conformance"]["families"]]
+    return {**figures["conformance"], "engine": figures["head"]["renderer"], "families": rows}
+
+
 def compare(paths):
     """A table in Markdown: families down, engines across."""
-    runs = [json.loads(path.read_text()) for path in paths]
+    runs = [run_in(path) for path in paths]
     lines = ["| family | " + " | ".join(run["engine"] for run in runs) + " |", "| --- |" + " --- |" * len(runs)]
     names = list(dict.fromkeys(row["family"] for run in runs for row in run["families"]))
     for name in names:

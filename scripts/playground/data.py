@@ -6,9 +6,12 @@ import base64
 import gzip
 import json
 import shutil
+import struct
 import subprocess
 import tempfile
 from pathlib import Path
+
+from conformance.suite import read_suite, read_triangles
 
 from .exercises import chapter_file, list_script, pack_chapters, shader_exercises
 
@@ -19,6 +22,7 @@ SCENES = ("mirrors", "cornell_box", "tetrahedron:2")  # that lie beside the page
 LARGE_SCENES = ("bunny",)  # that only the book offers, and a reader's browser loads when they are chosen
 ENGINE_SHADERS = ("prelude.glsl", "leave_no_mark.glsl", "leave_line.glsl", "leave_no_corner.glsl", "probe.frag", "copy_depth.frag", "steps.frag", "observe_steps.glsl")
 ENDINGS = (".glsl", ".frag", ".vert")
+SUITE = "docs/conformance/suite"  # too large for the repository once more: only the book offers it
 WIDTH = 120  # characters in a line of base64
 
 
@@ -31,7 +35,7 @@ def shader_files(root):
 
 
 def packed_script(call, name, packed):
-    """A script that hands these bytes to a function of the page: addShaders, addScene or addChapter."""
+    """A script that hands these bytes to a function of the page: addShaders, addScene, addChapter or addSuite."""
     text = base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
     lines = "\n".join(text[i:i + WIDTH] for i in range(0, len(text), WIDTH))
     return f"// Made by `python3 -B scripts/playground data`: do not edit.\nRaysteps.play.{call}({json.dumps(name)}, `{lines}`);\n"
@@ -85,12 +89,25 @@ def write_large_scenes(build, folder, say):
             file.write_text(packed_script("addScene", name, pack_scene(build, name)))
 
 
+def pack_suite(root):
+    """The small conformance suite as engine/conformance.js reads it: a list of families, then triangles, rays and answers of each."""
+    heads, blobs = [], []
+    for family in read_suite(root / SUITE, [])[0]:
+        triangles = [number for triangle in read_triangles(family.file("obj")) for number in triangle]
+        rays, answers = family.file("f32").read_bytes(), family.file("answers").read_bytes()
+        heads.append({"name": family.name, "triangles": family.triangles, "rays": family.rays, "answers": len(answers)})
+        blobs += [struct.pack(f"<{len(triangles)}f", *triangles), rays, answers]
+    head = json.dumps(heads).encode()
+    head += b" " * (-len(head) % 4)
+    return struct.pack("<I", len(head)) + head + b"".join(blobs)
+
+
 def _replace_in(file, old, new):
     file.write_text(file.read_text().replace(old, new))
 
 
 def copy_page(root, large, to, editor=None):
-    """The page and all that it needs, with the large scenes that the folder `large` has, and with the editor where there is one."""
+    """The page and all that it needs, with the conformance suite, the large scenes that the folder `large` has, and the editor where there is one."""
     shutil.rmtree(to, ignore_errors=True)
     shutil.copytree(root / PAGE, to)
     if editor:
@@ -98,10 +115,9 @@ def copy_page(root, large, to, editor=None):
         _replace_in(to / "index.html", '<script defer src="editor.js">', '<script defer src="codemirror.js"></script>\n<script defer src="editor.js">')
         _replace_in(to / "load.js", '"editor.js"', '"codemirror.js", "editor.js"')
     offers = [name for name in LARGE_SCENES if (large / scene_file(name)).exists()]
-    if not offers:
-        return
     for name in offers:
         shutil.copyfile(large / scene_file(name), to / "data" / scene_file(name))
-    (to / "data" / "offers.js").write_text(offers_script(offers))
+    (to / "data" / "conformance.js").write_text(packed_script("addSuite", "conformance", pack_suite(root)))
+    (to / "data" / "offers.js").write_text(offers_script(offers) + 'Raysteps.play.offerSuite("data/conformance.js");\n')
     own = '<script defer src="editor.js"></script>'
     _replace_in(to / "index.html", own, f'<script defer src="data/offers.js"></script>\n{own}')

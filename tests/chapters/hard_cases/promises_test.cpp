@@ -1,9 +1,15 @@
 #include "catch.h"
 #include "gpu/context.h"
 #include "gpu/shaders.h"
+#include "hard_cases/conformance.h"
 #include "hard_cases/trials.h"
 #include "mirror/trace_by_mirror.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
 #include <set>
 
 using namespace raysteps;
@@ -29,7 +35,62 @@ void check_section(char section, int rays) {
     CHECK(promises > 0);
 }
 
+// The greatest of three numbers.
+double greatest(const glm::dvec3& point) {
+    return std::max({point.x, point.y, point.z});
+}
+
+// How far a surface surely is from an origin, along the axis where it is farthest, in parts of the
+// reach: from each triangle's plane, or from the box around it, whichever is farther.
+double distance_to(std::span<const glm::vec3> corners, const glm::vec3& origin) {
+    double distance = std::numeric_limits<double>::infinity();
+    double reach = 0.0;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        const glm::dvec3 a = glm::dvec3(corners[i]) - glm::dvec3(origin);
+        const glm::dvec3 b = glm::dvec3(corners[i + 1]) - glm::dvec3(origin);
+        const glm::dvec3 c = glm::dvec3(corners[i + 2]) - glm::dvec3(origin);
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        const glm::dvec3 size = glm::abs(normal);
+        const double sides = size.x + size.y + size.z;
+        const double to_plane = sides > 0.0 ? std::abs(glm::dot(normal, a)) / sides : 0.0;
+        const glm::dvec3 lower = glm::min(a, glm::min(b, c));
+        const glm::dvec3 upper = glm::max(a, glm::max(b, c));
+        const double to_box = greatest(glm::max(lower, -upper));
+        distance = std::min(distance, std::max(to_plane, to_box));
+        reach = std::max(reach, greatest(glm::max(-lower, upper)));
+    }
+    return distance / reach;
+}
+
 } // namespace
+
+TEST_CASE("rays from inside start no nearer to a wall than is promised", "[hard_cases][T]") {
+    for (const ConformanceFamily& family : conformance_families()) {
+        if (family.origin != AnswerRules::Origin::inside) {
+            continue;
+        }
+        const HardScene made = family.make({.rays = 200, .seed = 3});
+        for (const Ray& ray : made.rays) {
+            CAPTURE(family.name, ray.origin.x, ray.origin.y, ray.origin.z);
+            CHECK(distance_to(made.mesh.corners, ray.origin) >= 0x1p-19);
+        }
+    }
+}
+
+TEST_CASE("doubles give the suite no other answer than exact arithmetic", "[hard_cases][exact]") {
+    for (const ConformanceFamily& family : conformance_families()) {
+        CAPTURE(family.name);
+        const HardScene made = family.make({.rays = 30, .seed = 4});
+        const AnswerRules filtered(made.mesh.corners);
+        const AnswerRules exact(made.mesh.corners, Arithmetic::exact);
+        for (const Ray& ray : made.rays) {
+            const AllowedAnswer one = filtered.allowed(ray, family.origin);
+            const AllowedAnswer other = exact.allowed(ray, family.origin);
+            CHECK((one.miss == other.miss && one.anything == other.anything));
+            CHECK(one.hits == other.hits);
+        }
+    }
+}
 
 TEST_CASE("what the paper gets wrong is right here", "[hard_cases][P]") {
     check_section('P', 1000);

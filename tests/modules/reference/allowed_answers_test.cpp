@@ -125,6 +125,51 @@ TEST_CASE("from inside a closed mesh no miss is allowed, and of no ray anything 
     CHECK(rules.allowed({{0, 0, 0}, {0, 0, 0}, 0.0f, no_end}, anywhere).anything);
 }
 
+TEST_CASE("doubles know how wrong they are", "[reference][exact]") {
+    const Bounded sum = Bounded{1.0} + Bounded{0x1p-60};
+    CHECK((sum.value == 1.0 && sum.error == 0x1p-60));
+    const Bounded odd{0x1p27 + 1.0}; // its square is 2^54 + 2^28 + 1, which has 55 digits
+    CHECK((odd * odd).value == 0x1p54 + 0x1p28);
+    CHECK((odd * odd).error == 1.0);
+    const Bounded exact = Bounded{0x1.fffffep0} * Bounded{0x1.000002p0};
+    CHECK(exact.error == 0.0);
+    CHECK(sure_sign(exact - exact) == 0);
+    CHECK(sure_sign(sum - Bounded{1.0}) == std::nullopt);
+    CHECK(sure_sign(Bounded{-1.0, 0.5}) == -1);
+    const Between third = quotient({1.0, 0x1p-40}, {3.0, 0.0});
+    CHECK((third.low < (1.0 - 0x1p-40) / 3.0 && third.high > (1.0 + 0x1p-40) / 3.0));
+    CHECK(third.high - third.low < 0x1p-40);
+}
+
+TEST_CASE("doubles decide nothing otherwise than exact arithmetic", "[reference][exact]") {
+    const int seed = 29;
+    CAPTURE(seed);
+    RandomNumbers numbers(seed);
+    // Where much is exactly equal, exactly 0, or nearly so.
+    const std::vector<Mesh> meshes{tripled(sphere(glm::vec3(0.0f), 1.0f, 1)),
+                                   random_slivers(numbers, 20),
+                                   split_on_one_side(as_loaded(latitude_sphere(1.0f, 4, 6))),
+                                   walls_at_whole_coordinates(),
+                                   flattened(random_triangles(numbers, 20), 2, 0.5f),
+                                   mesh_of(triangles_at_powers_of_two())};
+    std::size_t hits = 0;
+    for (const Mesh& mesh : meshes) {
+        const AnswerRules filtered(mesh.corners);
+        const AnswerRules exact(mesh.corners, Arithmetic::exact);
+        for (const RayFamily& family : ray_families(numbers, mesh.corners, 6)) {
+            CAPTURE(family.name);
+            for (const Ray& ray : family.rays) {
+                const AllowedAnswer one = filtered.allowed(ray, anywhere);
+                const AllowedAnswer other = exact.allowed(ray, anywhere);
+                CHECK(one.miss == other.miss);
+                CHECK(one.hits == other.hits);
+                hits += one.hits.size();
+            }
+        }
+    }
+    CHECK(hits > 300);
+}
+
 TEST_CASE("the nearest hit of exact arithmetic is always among those allowed",
           "[reference][exact]") {
     const int seed = 23;

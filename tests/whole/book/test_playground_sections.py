@@ -15,7 +15,7 @@ from selenium.webdriver.common.keys import Keys
 from browser import STORE, leave_without
 from support import ROOT
 from playground_page import ADDRESS, PHONE, PlaygroundTest
-from playground.data import PAGE
+from playground.data import PAGE, pack_suite, packed_script
 
 ALL = "RAYSTEPS_LONG" in os.environ
 COMPARE = STORE.parent / "chapters" / "07_compare" / "07_compare"
@@ -231,6 +231,35 @@ class Without(PlaygroundTest):
                 self.assertEqual(self.complaints(), [])
 
 
+class HardCases(PlaygroundTest):
+    def test_the_page_judges_the_suite_as_its_judge_does(self):
+        """By a triangle test that leaks at edges, and by hits that are wrong on purpose."""
+        self.begin()
+        found = self.run_in_page("""
+            const { play } = Raysteps;
+            const { trace, readHits } = play;
+            await play.openSuite().catch(() => {});
+            play.addSuite("conformance", given);
+            const of = (options) => play.runSuite(play.page.gpu, options);
+            const leaking = await of({ triangle: "moeller_trumbore", families: ["edges", "random"] });
+            const spoiled = {};
+            const bits = (number) => new Uint32Array(new Float32Array([number]).buffer)[0];
+            for (const [kind, change] of Object.entries({
+              "missed": (words) => { words[4 * 7 + 3] = -1; }, "no such triangle": (words) => { words[4 * 7 + 3] = 1520; },
+              "other triangle": (words) => { words[4 * 7 + 3] += 100; }, "wrong t": (words) => { words[4 * 7] = bits(NaN); },
+              "wrong u, v": (words) => { words[4 * 7 + 1] = words[4 * 7 + 2] = bits(0.9); } })) {
+              play.readHits = (gpu, result) => { const words = readHits(gpu, result); change(words); return words; };
+              spoiled[kind] = (await of({ families: ["edges"] }))[0];
+            }
+            play.readHits = readHits;
+            return { leaking, spoiled };""", packed_script("addSuite", "conformance", pack_suite(ROOT)).split("`")[-2])
+        edges, random = sorted(found["leaking"], key=lambda row: row["family"])
+        self.assertEqual((edges["tried"], random["wrong"], edges["first"]["kind"]), (500, 0, "missed"))
+        self.assertGreater(edges["wrong"], 10)
+        for kind, row in found["spoiled"].items():
+            self.assertEqual((row["wrong"], row["first"]), (1, {"ray": 7, "kind": kind}))
+
+
 class GpuCards(PlaygroundTest):
     def setUp(self):
         super().setUp()
@@ -248,9 +277,13 @@ class GpuCards(PlaygroundTest):
         self.browser.execute_script(  # of few walks, with few rays: those of packets take seconds to be compiled
             "const { play } = Raysteps; const { measureGpu } = play; const walks = ['every_triangle', 'bvh_ordered'];"
             "play.measureGpu = (gpu, scene, options) => measureGpu(gpu, scene, { ...options, rounds: 2, size: 64, walks });"
-            "document.getElementById('card').open = true; document.getElementById('card-measure').click()")
+            "const { runSuite } = play; play.addSuite('conformance', arguments[0]);"
+            "play.runSuite = (gpu, options) => runSuite(gpu, { ...options, families: ['edges', 'nothing', 'no_rays'] });"
+            "document.getElementById('card').open = true; document.getElementById('card-measure').click()",
+            packed_script("addSuite", "conformance", pack_suite(ROOT)).split("`")[-2])
         self.wait_until("return !document.getElementById('card-save').disabled", seconds=150)
-        self.assertRegex(self.browser.find_element("id", "card-said").text, r"^2 rounds in tetrahedron:2, by the .* This GPU rounds as the lessons do\.$")
+        self.assertRegex(self.browser.find_element("id", "card-said").text, r"^2 rounds in tetrahedron:2, by the .* This GPU rounds as the lessons do\. "
+                         r"Of 1,[0-9]{3} hard cases 0 are wrong\.$")
         card = self.browser.execute_script(
             "let saved; Raysteps.play.save = (name, text) => { saved = text; }; document.getElementById('card-save').click(); return JSON.parse(saved)")
         self.assertEqual(faults_of(card, ROOT / PAGE / "gpu_card.schema.json"), [])
@@ -269,6 +302,9 @@ class GpuCards(PlaygroundTest):
         for row in rows:
             self.assertEqual(row[2], f"{walks[row[0]]['million_rays_per_second']:.2f}")
         self.assertIn(card["head"]["renderer"], found.stdout)
+        self.assertIn(f"; hard cases 0 of {card['conformance']['tried']} wrong", found.stdout)
+        table = subprocess.run(["bash", ROOT / "run.sh", "conformance", "--table", self.folder / "mine.json"], capture_output=True, text=True, check=True)
+        self.assertIn("| edges | 0 |", table.stdout)
 
         def put(name, change):
             changed = copy.deepcopy(card)

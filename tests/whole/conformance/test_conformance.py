@@ -5,6 +5,7 @@ import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -136,6 +137,22 @@ class ConformanceTest(unittest.TestCase):
         jsonschema.Draft202012Validator(schema).validate(figures)
         with self.assertRaises(jsonschema.ValidationError):
             jsonschema.Draft202012Validator(schema).validate({**figures, "surprise": 1})
+
+    def test_a_report_says_whether_an_engine_has_its_fault(self):
+        reports = sorted((ROOT / "docs/conformance/reports").glob("*.py"))
+        self.assertGreaterEqual(len(reports), 3)
+        for report in reports:
+            for engine, code in ((f"{OWN} cpp bvh_ordered %t %r %h", 0), (f"{sys.executable} {BAD} none {self.wrong_for(report)} %h", 1)):
+                with self.subTest(report=report.name, engine=engine):
+                    run = subprocess.run([sys.executable, "-B", report, engine], capture_output=True, text=True, check=False)
+                    self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+
+    def wrong_for(self, report):
+        """A file of answers by which an engine misses where the report says a hit, and hits where it says a miss."""
+        is_miss = "RIGHT = -1" in report.read_text()
+        answers = self.folder / "one.answers"
+        answers.write_bytes(struct.pack("<HHiff", 0, 1, 0, 1.0, 1.0) if is_miss else struct.pack("<HH", 1, 0))
+        return answers
 
     def test_the_readers_of_the_readme_read_the_suite(self):
         """A stranger begins with this text."""
