@@ -90,7 +90,7 @@ class Exercises(CourseTest):
                                      if exercise.chapter == chapter], chapter)
 
     def test_a_workbook_with_every_solution_is_the_source_without_stubs(self):
-        self.course("start")
+        self.start()
         for exercise in exercises.load():
             path = self.solve(exercise.number)
         for exercise in exercises.load():
