@@ -78,13 +78,10 @@ class BrowserTest(unittest.TestCase):
             self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
     def open(self, page):
-        """Loads a page, and waits until its figures live. What the browser complained about before
-        is forgotten."""
+        """Loads a page. What the browser complained about before is forgotten."""
         self.browser.get_log("browser")
         self.browser.get(f"http://127.0.0.1:{self.server.server_port}/{page}")
         self.wait_for("return document.readyState === 'complete'")
-        self.wait_for("return [...document.querySelectorAll('figure.walk:not([data-viewer])')]"
-                      ".every((figure) => figure.dataset.ready)")
 
     def wait_for(self, script, *arguments):
         return WebDriverWait(self.browser, 30, BETWEEN_LOOKS).until(

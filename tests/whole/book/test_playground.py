@@ -27,7 +27,7 @@ SHADERS = {"shaded": STORE.parent / "chapters" / "03_shading" / "03_shading", "e
 RAYS = 16384  # for each structure; its other walks have fewer
 FEWER_RAYS = 2048
 SHADED_SIZE = 96
-SAME = 1e-5  # of colours: highlights have powers, which each platform rounds in its own way
+SAME = 1e-4  # of colours: highlights have powers, which each platform rounds in its own way (1.1e-5 on SwiftShader)
 SCENE = "mirrors"
 # Every program of the catalogue goes through the compiler; linked is each pass and each part once, since that takes longer.
 COMPILE = """
