@@ -83,6 +83,10 @@ class BrowserTest(unittest.TestCase):
         self.browser.get(f"http://127.0.0.1:{self.server.server_port}/{page}")
         self.wait_for("return document.readyState === 'complete'")
 
+    def without_playgrounds(self):
+        """Those of the page: they would load when they come near, which takes seconds, and have tests of their own."""
+        self.browser.execute_script("document.querySelectorAll('[data-play]').forEach((place) => place.remove())")
+
     def wait_for(self, script, *arguments):
         return WebDriverWait(self.browser, 30, BETWEEN_LOOKS).until(
             lambda browser: browser.execute_script(script, *arguments), script)

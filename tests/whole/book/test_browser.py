@@ -194,6 +194,7 @@ class Browser(BrowserTest):
                   img.getBoundingClientRect().left, img.getBoundingClientRect().right]);""")
             self.assertGreaterEqual(len(seen), 3)
             self.open("06_bvh.html")
+            self.without_playgrounds()
             self.browser.execute_script("document.querySelector('[data-moving]').scrollIntoView()")
             moving = self.wait_for("""
                 const svg = document.querySelector('figure.moving svg');
@@ -208,6 +209,7 @@ class Browser(BrowserTest):
 
     def test_a_drawing_moves_by_keys_and_by_a_pointer_and_stands_still_before(self):
         self.open("05_kd_tree.html")
+        self.without_playgrounds()
         picture = self.browser.find_element("css selector", "[data-moving]")
         self.browser.execute_script("arguments[0].scrollIntoView()", picture)
         self.wait_for("return document.querySelector('figure.moving input')")

@@ -40,6 +40,7 @@ FIGURES = {"04_grid.html": "cell", "05_kd_tree.html": "node", "06_bvh.html": "no
 class Figures(BrowserTest):
     def open_figure(self, page):
         self.open(page)
+        self.without_playgrounds()
         figure = self.browser.find_element("css selector", "figure.walk")
         self.browser.execute_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", figure)
         self.wait_for("return arguments[0].dataset.ready", figure)
