@@ -34,4 +34,13 @@ std::vector<glm::vec4> pack_glass(const Scene& scene) {
     return texels;
 }
 
+std::vector<glm::vec4> pack_gloss(const Scene& scene) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(scene.materials.size());
+    for (const Material& material : scene.materials) {
+        texels.emplace_back(material.specular, has_highlight(material) ? material.shininess : 0.0f);
+    }
+    return texels;
+}
+
 } // namespace raysteps

@@ -19,4 +19,7 @@ std::vector<glm::vec4> pack_materials(std::span<const Material> materials);
 // The texels of light/glass_materials.glsl, two per material.
 std::vector<glm::vec4> pack_glass(const Scene& scene);
 
+// The texels of light/highlight.glsl, one per material: its colour, and its exponent in w.
+std::vector<glm::vec4> pack_gloss(const Scene& scene);
+
 } // namespace raysteps

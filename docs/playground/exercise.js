@@ -12,7 +12,9 @@
   // One context for all exercises of a page: browsers give few.
   function sharedGpu() {
     if (!shared) {
-      shared = play.openGpu();
+      const opened = play.openGpu();
+      play.requireWholeNumbers(opened);
+      shared = opened;
       shared.listeners = [];
       const tell = (sentence) => () => shared.listeners.forEach((say) => say(sentence));
       shared.onLost = tell("The browser has taken the graphics context away. Your text is kept; the page waits to get it back.");

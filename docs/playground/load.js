@@ -8,7 +8,7 @@
   const play = (globalThis.Raysteps ??= {}).play ??= {};
   const here = document.currentScript.src;
   const near = "600px"; // below the screen
-  const scripts = ["engine/reader.js", "engine/scene.js", "engine/renderer.js", "engine/tracer.js", "engine/shading.js", "engine/picture.js", "engine/session.js",
+  const scripts = ["engine/reader.js", "engine/scene.js", "engine/renderer.js", "engine/tracer.js", "engine/probe.js", "engine/plan.js", "engine/shading.js", "engine/picture.js", "engine/session.js",
     "engine/sentences.js", "engine/exercises.js", "data/shaders.js", "data/exercises.js", "data/scenes.js", "editor.js", "workbook.js", "exercise.js"];
   let loading = null;
 

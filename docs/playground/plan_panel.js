@@ -17,18 +17,18 @@ document.addEventListener("begun", () => {
   function show(outcome) {
     const { scene, mine } = outcome;
     const { all } = page.run.lit;
-    const plan = play.shadingPlan(scene, all);
+    const plan = play.planOf("effects", scene, all);
     find("plan-rows").replaceChildren(...plan.effects.map(({ name, reason, isOn, passes }) => {
       const made = row("td", [name, reason || (isOn ? "nothing: it runs because you ask" : "nothing"), isOn ? passes.join(", ") : "none"]);
       made.className = isOn ? "" : "off";
       return made;
     }));
-    if (page.run.choices.view !== "shaded") {
-      find("plan-said").textContent = "Choose the view shaded, and the plan is carried out.";
+    if (page.run.choices.view !== "effects") {
+      find("plan-said").textContent = "Choose the view effects, and the plan is carried out.";
       return;
     }
-    const key = JSON.stringify([page.run.choices, page.run.edits, page.run.lit.lamps, page.run.lit.mirrors]);
-    let sentence = `${plan.passes.length} passes, run in ${mine.waves + 1} waves of rays: ${plan.passes.join(", ")}.`;
+    const key = JSON.stringify([page.run.choices, page.run.edits, page.run.lit.lamps, page.run.lit.mirrors, page.run.lit.gloss]);
+    let sentence = `${plan.passes.length} passes, run in ${mine.waves + 1} waves of rays: ${plan.passes.map(({ name }) => name).join(", ")}.`;
     if (before?.key === key && before.all !== all) {
       const [a, b] = [before.linear, mine.linear].map(({ buffer }) => new Uint32Array(buffer));
       let differing = 0;
@@ -39,7 +39,7 @@ document.addEventListener("begun", () => {
     find("plan-said").textContent = sentence;
   }
 
-  for (const name of ["lamps", "mirrors", "all"]) {
+  for (const name of ["lamps", "mirrors", "gloss", "all"]) {
     find(`plan-${name}`).addEventListener("change", ({ target }) => {
       page.run.lit[name] = target.checked;
       page.go();

@@ -231,6 +231,7 @@
     try {
       gpu = play.openGpu();
       showProbe();
+      play.requireWholeNumbers(gpu);
     } catch (error) {
       if (!(error instanceof play.PlayError)) throw error;
       gpu = null;

@@ -13,8 +13,6 @@ import html
 import json
 import re
 
-from playground.exercises import shader_exercises
-
 from .cut_code import cut
 from .errors import BookError
 from .lists import LISTS
@@ -97,7 +95,7 @@ def _play(number, links, _page):
             raise BookError(f"the playground has no choice {min(unknown)}. Take one of {', '.join(sorted(CHOICES))}.")
         link = html.escape(f"#{number}")
         return [f'<div class="play" data-play="{link}">', f'<p><a href="playground/index.html{link}">Open it in the playground</a></p>', "</div>"]
-    exercise = next((each for each in shader_exercises(links.root) if each.number == number), None)
+    exercise = next((each for each in links.exercises if each.is_shader and each.number == number), None)
     if exercise is None:
         raise BookError(f"{number} is no exercise in a shader. Name one of exercises.toml.")
     return [f'<div class="play" data-play="{number}">',

@@ -1,7 +1,9 @@
 """Every drawing as SVG and PNG in one archive, with its licence."""
 
 import base64
+import hashlib
 import re
+import shutil
 import tempfile
 import zipfile
 from pathlib import Path
@@ -46,24 +48,38 @@ def pictures_of(drawings):
     return {name: base64.b64decode(picture) for name, picture in found.items()}
 
 
-def make_archive(root, file):
-    """Writes the archive, and returns how many drawings it has, and whether as PNG too: that takes a browser."""
+def make_archive(root, file, kept):
+    """Writes the archive, and returns how many drawings it has, and whether as PNG too: that takes a browser, and
+    longer than all pages of the book, so the folder `kept` has it until a drawing changes."""
     drawings = {f"{path.parent.parent.name}_{path.stem}": path.with_suffix(".svg").read_text(encoding="utf-8")
                 for path in descriptions(root)}
-    pictures = pictures_of(drawings) if drawings and has_browser() else {}
     entries = {"LICENSE": (root / "LICENSE").read_bytes()}
     entries |= {f"svg/{name}.svg": text.encode() for name, text in drawings.items()}
-    entries |= {f"png/{name}.png": picture for name, picture in pictures.items()}
+    has_png = bool(drawings) and has_browser()
+    before = kept / f"drawings_{_digest(has_png, entries)}.zip"
+    if not before.exists():
+        pictures = pictures_of(drawings) if has_png else {}
+        _write(before, entries | {f"png/{name}.png": picture for name, picture in pictures.items()})
+    file.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(before, file)
+    return len(drawings), has_png
+
+
+def _digest(has_png, entries):
+    """Of all that an archive is made of."""
+    return hashlib.sha256(repr((has_png, PAGE, SCALE, DAY, sorted(entries.items()))).encode()).hexdigest()[:16]
+
+
+def _write(file, entries):
     file.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in sorted(entries.items()):
             archive.writestr(zipfile.ZipInfo(name, DAY), data, zipfile.ZIP_DEFLATED)
-    return len(drawings), bool(pictures)
 
 
 def drawings(links, _page):
     """The sentence that offers the archive."""
-    count, has_png = make_archive(links.root, links.out / ARCHIVE)
+    count, has_png = make_archive(links.root, links.out / ARCHIVE, links.made)
     kinds = (f"as SVG and as PNG of {SCALE * WIDTH:,} pixels" if has_png
              else "as SVG (this book was made without chromium, which makes the PNG)")
     return [f"[{ARCHIVE}]({ARCHIVE}) has all {count} drawings of this book, {kinds}, with their licence, MIT: use them in "

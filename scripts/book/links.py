@@ -1,12 +1,15 @@
 """Where a link of a page leads in the book: to another page, to a picture, or to a source file,
 which the book shows as a page of its own kind."""
 
+import functools
 import html
 import os
 import re
 import shutil
 import struct
 from pathlib import Path
+
+from course import exercises
 
 from .cut_code import exercises_in
 from .errors import BookError
@@ -75,6 +78,11 @@ class Links:
         glossary = root / GLOSSARY
         self.words = words_of(glossary.read_text()) if glossary.exists() else []
         self.written = set()
+
+    @functools.cached_property
+    def exercises(self):
+        """All of the coursework, in their order: read once for all pages."""
+        return exercises.load(self.root)
 
     def target(self, page, place, target, is_picture):
         """The link for `target`, which stands in the file `page`; `place` is FILE:LINE."""

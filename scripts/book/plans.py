@@ -1,7 +1,6 @@
 """Plans for a course, from docs/book/plans.toml: an item for each sitting, with the minutes that reading and writing take."""
 
 import re
-import sys
 import tomllib
 from fractions import Fraction
 
@@ -11,13 +10,6 @@ from .errors import BookError
 PLANS = "docs/book/plans.toml"
 WORDS_A_MINUTE = 60  # of a text with formulas and drawings, read with a pencil in hand
 ROUNDED_TO = 5
-
-
-def course_exercises(root):
-    """The exercises of the coursework, in their order."""
-    sys.path.insert(0, str(root / "scripts"))
-    from course import exercises
-    return exercises.load(root)
 
 
 def words_in(text):
@@ -52,7 +44,7 @@ def plan(name):
     """The list of that plan, an item for each sitting or week."""
     def lines(links, _page):
         made = []
-        minutes = {exercise.number: exercise.minutes for exercise in course_exercises(links.root)}
+        minutes = {exercise.number: exercise.minutes for exercise in links.exercises}
         for row in tomllib.loads((links.root / PLANS).read_text())[name]:
             pages = [_reading(links, entry) for entry in row["read"]]
             reading = _rounded(sum(minutes for _, minutes in pages))

@@ -21,6 +21,14 @@ def _print_json(value):
     print(json.dumps(value, indent=1))
 
 
+def _chosen(options):
+    return catalog.select(catalog.load(which=options.which), options.which)
+
+
+def _chosen_one(options):
+    return catalog.select_one(catalog.load(which=options.which), options.which)
+
+
 def _engine(options, exercises):
     """What checks these exercises."""
     engine = engines.Engine()
@@ -63,7 +71,7 @@ def start(options):
 def list_all(options):
     """With a workbook, how far each exercise is."""
     rows = []
-    for exercise in catalog.select(catalog.load(), options.which):
+    for exercise in _chosen(options):
         state = (workbook.state_of(options.workbook, exercise) if options.workbook.is_dir()
                  else "no workbook")
         rows.append({"exercise": exercise.number, "title": exercise.title, "file": exercise.file,
@@ -89,8 +97,7 @@ def _given_ray(options, engine, exercise):
     return [ray]
 
 
-def _check_once(options, engine):
-    chosen = catalog.select(catalog.load(), options.which)
+def _check_once(options, engine, chosen):
     results = []
     for exercise in chosen:
         rays = _given_ray(options, engine, exercise)
@@ -107,27 +114,29 @@ def _check_once(options, engine):
     return DONE if all(result.state in check.FINE for result in results) else CHECK_FAILED
 
 
-def _times(options):
-    chosen = catalog.select(catalog.load(), options.which)
+def _times(options, chosen):
     paths = [options.workbook / file for file in workbook.files_of(chosen)]
     return [path.stat().st_mtime_ns if path.exists() else 0 for path in paths]
 
 
 def check_some(options):
     workbook.require(options.workbook)
-    engine = _engine(options, catalog.select(catalog.load(), options.which))
-    code = _check_once(options, engine)
+    chosen = _chosen(options)
+    engine = _engine(options, chosen)
+    code = _check_once(options, engine, chosen)
     while options.watch:
-        before = _times(options)
+        before = _times(options, chosen)
         print("-- waiting for a change; Ctrl-C ends", flush=True)
-        while _times(options) == before:
+        while _times(options, chosen) == before:
             time.sleep(0.3)
-        code = _check_once(options, engine)
+        chosen = _chosen(options)
+        engine.states.clear()
+        code = _check_once(options, engine, chosen)
     return code
 
 
 def view(options):
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     engine = _engine(options, [exercise])
     rays = _given_ray(options, engine, exercise)
     if rays:
@@ -163,7 +172,7 @@ def _what_is_seen(both):
 def run_program(options):
     """A program of the project with the person's lines of one exercise, and the project's own for all
     others."""
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     workbook.require(options.workbook)
     if not exercise.is_shader:
         raise CourseError(f"{exercise.number} is in C++, and a program would have to be built with it. "
@@ -179,7 +188,7 @@ def run_program(options):
 
 
 def hint(options):
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     level = options.level
     if options.json:
         _print_json({"exercise": exercise.number, "hints": exercise.hints[:level]})
@@ -192,7 +201,7 @@ def hint(options):
 
 
 def show(options):
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     path = options.workbook / exercise.file
     if options.json:
         _print_json({"exercise": exercise.number, "title": exercise.title, "task": exercise.task,
@@ -228,7 +237,7 @@ def _line_of(path, exercise):
 
 
 def reset(options):
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     workbook.require(options.workbook)
     kept = workbook.reset(options.workbook, exercise)
     if options.json:
@@ -240,7 +249,7 @@ def reset(options):
 
 
 def diff(options):
-    exercise = catalog.select_one(catalog.load(), options.which)
+    exercise = _chosen_one(options)
     workbook.require(options.workbook)
     state = workbook.state_of(options.workbook, exercise)
     if state != check.PASSED and not options.give_up:
@@ -271,7 +280,7 @@ def pack(options):
 
 
 def _grade_submissions(options):
-    chosen = catalog.select(catalog.load(), options.only)
+    chosen = catalog.select(catalog.load(which=options.only), options.only)
     if options.merge:
         return grade.merge(options.merge)
     if options.one and not Path(options.one).exists():
@@ -335,7 +344,7 @@ def grade_all(options):
 
 
 def verify_all(options):
-    chosen = catalog.select(catalog.load(with_answers=True), options.which)
+    chosen = catalog.select(catalog.load(with_answers=True, which=options.which), options.which)
     engine = _engine(options, chosen)
 
     def say(finding):

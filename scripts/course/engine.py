@@ -49,6 +49,7 @@ class Engine:
         default_factory=lambda: sandbox.Limits(seconds=300, cpu_seconds=120, processes=4096))
     is_enclosed: bool = False  # what was handed in is compiled and runs in the sandbox of bubblewrap
     companions: "Companions" = None  # see there; what was handed in never has any
+    states: dict = field(default_factory=dict)  # of the sources, by program: see _state_of_sources
 
     def shaders_program(self):
         return self.build / "scripts" / "course" / "answers" / "course_shaders"
@@ -255,8 +256,15 @@ def _ask_companion(engine, chapter, questions, overlay):
     return of_refusal(found["message"]) if "message" in found else _answers_in(outcome.output, len(questions))
 
 
-def _state_of_sources(program):
-    """Changes where the program or any shader of the project does."""
+def _state_of_sources(engine, program):
+    """Changes where the program or any shader of the project does. To read them all takes longer than most
+    answers, so it is done once in a run."""
+    if program not in engine.states:
+        engine.states[program] = _read_state(program)
+    return engine.states[program]
+
+
+def _read_state(program):
     digest = hashlib.sha256(f"{program.stat().st_mtime_ns}".encode())
     for folder in ("shaders", "scripts/course/answers/shaders", "chapters"):
         for path in sorted((ROOT / folder).rglob("*")):
@@ -275,7 +283,7 @@ def ask_reference(engine, program, chapter, questions):
 
 
 def _reference(engine, program, chapter, questions, asked):
-    key = asked + _state_of_sources(program)
+    key = asked + _state_of_sources(engine, program)
     kept = STORE / "reference" / (hashlib.sha256(key.encode()).hexdigest() + ".json")
     answers = _read_answers(kept, len(questions))
     if isinstance(answers, Failure):  # is not there, or damaged
@@ -292,7 +300,7 @@ def _reference(engine, program, chapter, questions, asked):
 
 def reference_picture(engine, chapter, question):
     """The picture by the project's own sources, kept until those change: its path without ending."""
-    key = json.dumps(question, sort_keys=True) + chapter + _state_of_sources(engine.shaders_program())
+    key = json.dumps(question, sort_keys=True) + chapter + _state_of_sources(engine, engine.shaders_program())
     kept = STORE / "reference" / hashlib.sha256(key.encode()).hexdigest()
     if not kept.with_suffix(".pfm").exists():
         kept.parent.mkdir(parents=True, exist_ok=True)

@@ -122,6 +122,8 @@ def _picture(exercise):
     if asked["subject"] == "whitted":
         return {"walk": "bvh_ordered", "triangle": "watertight", "view": "shaded",
                 "scene": "cornell_box" if asked["scene"] == "cornell_box" else "mirrors"}
+    if exercise.file == "shaders/light/highlight.glsl":
+        return {"walk": "bvh_ordered", "triangle": "watertight", "view": "effects", "scene": "mirrors"}
     walk = asked.get("structure", "every_triangle")
     return {"walk": walk, "triangle": asked.get("triangle", "watertight"), "view": "normals",
             "scene": "tetrahedron:2" if walk == "every_triangle" else "mirrors"}

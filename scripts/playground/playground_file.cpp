@@ -119,6 +119,7 @@ std::string playground_file(const Scene& scene, double aspect_ratio,
     arrays.add(list, "triangle_normals", scene.normals);
     arrays.add(list, "triangle_materials", scene.triangle_materials);
     arrays.add(list, "materials", pack_materials(scene.materials));
+    arrays.add(list, "gloss_texels", pack_gloss(scene));
     Numbers heads = empty_list();
     for (const StructureFamily& family : families) {
         heads.push_back(family_head(family, scene, request, arrays));

@@ -76,15 +76,6 @@ std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& pl
     return texels;
 }
 
-std::vector<glm::vec4> pack_gloss(const Scene& scene) {
-    std::vector<glm::vec4> texels;
-    texels.reserve(scene.materials.size());
-    for (const Material& material : scene.materials) {
-        texels.emplace_back(material.specular, has_highlight(material) ? material.shininess : 0.0f);
-    }
-    return texels;
-}
-
 EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
     EffectBuffers buffers;
     if (needs_glass(plan)) {

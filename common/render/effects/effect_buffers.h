@@ -19,9 +19,6 @@ namespace raysteps {
 // sends rays on from it, and shows only that part of its colour which does not go through it.
 std::vector<glm::vec4> pack_planned_materials(const Scene& scene, const Plan& plan);
 
-// The texels of light/highlight.glsl, one per material.
-std::vector<glm::vec4> pack_gloss(const Scene& scene);
-
 // Arrays that only some effects read, by the names of their uniforms; empty where the plan has none
 // of those effects.
 struct EffectBuffers {

@@ -1,4 +1,5 @@
-// Figures of a ray's walk: <figure class="walk" data-walk="walks/grid.json">. The still picture stays
+// Figures of a ray's walk: <figure class="walk" data-walk="walks/grid.json">. One comes to
+// life when it comes near: the viewer is large, and takes seconds on a slow machine. The still picture stays
 // where the browser has no WebGL, or the book was made without vtk.js; and on paper.
 "use strict";
 
@@ -151,7 +152,7 @@ async function bringToLife(figure) {
   figure.dataset.ready = "yes";
 }
 
-async function bringAllToLife() {
+function bringAllToLife() {
   const figures = [...document.querySelectorAll("figure.walk")];
   if (figures.length === 0) {
     return;
@@ -160,11 +161,22 @@ async function bringAllToLife() {
     make("p", { className: "walk-note", textContent: `The figure stands still: ${reason}.` })));
   if (figures[0].dataset.viewer === "none") {
     stand("the book was made without a network, and so without vtk.js");
-  } else if (!hasWebGl()) {
-    stand("this browser has no WebGL 2");
   } else {
-    await loadViewer();
-    await Promise.all(figures.map(bringToLife));
+    let viewer = null;
+    const observer = new IntersectionObserver((seen) => {
+      const near = seen.filter((one) => one.isIntersecting).map((one) => one.target);
+      if (near.length > 0 && !viewer && !hasWebGl()) {
+        observer.disconnect();
+        stand("this browser has no WebGL 2");
+        return;
+      }
+      near.forEach((figure) => {
+        observer.unobserve(figure);
+        viewer ??= loadViewer();
+        viewer.then(() => bringToLife(figure));
+      });
+    }, { rootMargin: "600px" });
+    figures.forEach((figure) => observer.observe(figure));
   }
 }
 

@@ -1,6 +1,6 @@
 // Traces as pictures on 2D canvases, top row first.
 //
-//   play.viewNames()                  the parts of <view>, shaded (engine/shading.js), and the heat maps visits and tests
+//   play.viewNames()                  the parts of <view>, the lights shaded and effects (engine/plan.js), and the heat maps visits and tests
 //   play.observerOf(view)             which observer a trace needs for the view
 //   await play.viewPicture(gpu, scene, rays, result, view, {edits, upper, walk, triangle, plan, signal})
 //       {pixels: ImageData, legend, linear, stopped, waves}   legend: null, or {title, upper} of a heat map, whose scale may be given
@@ -25,8 +25,7 @@
   const differentColor = [230, 120, 0];
   const ofMost = 0.99; // a few rays along a silhouette do many times more, and would leave the rest in the dark
 
-  const shaded = "shaded";
-  const viewNames = () => [...play.listParts("view").map(({ name }) => name), shaded, ...Object.keys(heatMaps)];
+  const viewNames = () => [...play.listParts("view").map(({ name }) => name), "shaded", "effects", ...Object.keys(heatMaps)];
   const observerOf = (view) => (heatMaps[view] ? "count" : "none");
 
   // IEC 61966-2-1:1999, as a table.
@@ -83,7 +82,7 @@
         legend: { title: heatMaps[view], upper: most }, linear: null, stopped: null, waves: 0,
       };
     }
-    const { linear, stopped, waves = 0 } = view === shaded ? await play.shade(gpu, scene, rays, result, { edits, ...tracing })
+    const { linear, stopped, waves = 0 } = tracing.plan ? await play.shade(gpu, scene, rays, result, { edits, ...tracing })
       : shownHits(gpu, scene, rays, result, view, edits);
     const colorOf = (ray) => [0, 1, 2].map((i) => encoded(linear[4 * ray + i]));
     return { pixels: picture(width, height, (ray) => (isStopped(ray) ? stoppedColor : colorOf(ray))), legend: null, linear, stopped, waves };

@@ -3,6 +3,7 @@
 //   play.probe(gpu)   {rows: [{question, wrong, of, matters}], rounds: true or false, sentence}
 //       question: in words; wrong: how many of so many answers are not those of IEEE 754; matters: for hits
 //       rounds: whether all that matters is right
+//   play.requireWholeNumbers(gpu)     throws PlayError where a struct, as a hit is one, keeps 16 of 32 bits: then nothing would be right
 //   play.randomBits(seed)             an endless sequence, the same in each browser
 "use strict";
 
@@ -26,6 +27,13 @@
     return texels;
   }
 
+  const structs = "Does a struct keep 32 bits?";
+
+  function requireWholeNumbers(gpu) {
+    if (probe(gpu).rows.find(({ question }) => question === structs).wrong === 0) return;
+    throw new play.PlayError("This GPU keeps only 16 bits of a number in a struct, and hits and places of walks are kept in them: nothing here would be right. The recorded pictures and walks work all the same.");
+  }
+
   function probe(gpu) {
     const given = numbers();
     const source = gpu.texture("rgba32f", size, size, { data: given });
@@ -45,7 +53,7 @@
       ["Is a product rounded before something is added to it?", (i, a, b, c) => same(basics[i + 3], Math.fround(a * b) + c), true],
       ["Is what a product lost found again (Dekker's sum)?", (i, a, b) => same(others[i], a * b - Math.fround(a * b)), true],
       ["Are numbers under 1.2e-38 kept?", (i, a, b, c, tiny) => same(others[i + 1], tiny), false],
-      ["Does a struct keep 32 bits?", (i) => others[i + 2] === 1, true],
+      [structs, (i) => others[i + 2] === 1, true],
       ["Is a NaN known for one?", (i) => others[i + 3] === 1, true],
     ];
     const rows = questions.map(([question, isRight, matters]) => {
@@ -59,5 +67,5 @@
     return { rows, rounds, sentence };
   }
 
-  Object.assign(play, { randomBits, probe });
+  Object.assign(play, { randomBits, probe, requireWholeNumbers });
 })();

@@ -2,11 +2,11 @@
 //
 //   const run = play.openSession(gpu, choices)
 //       choices: {scene, walk, triangle, view, size}; run.choices may be changed, then ask again
-//   run.lit                           {lamps, mirrors, all} of the view "shaded": see engine/shading.js
+//   run.lit                           {lamps, mirrors, gloss, all}: what engine/plan.js makes a plan of
 //   run.edits                         {path: text}; run.edit(path, text) changes one, and forgets it where it is as it was
 //   run.files()                       the files that go into the programs of these choices, the edited ones first
 //   await run.go({onProgress})        one run; a run that is still going on is stopped first. The outcome is one of
-//       {kind: "picture", mine, right, difference, result, stopped, milliseconds, rays, scene}   right, difference: null while nothing is edited
+//       {kind: "picture", mine, right, difference, result, stopped, milliseconds, rays, scene, plan}   right, difference: null while nothing is edited
 //       {kind: "errors", errors}      [{file, line, message, words}]: the last good picture stays
 //       {kind: "stopped"}             by run.stop(), or by another run
 //       {kind: "lost", sentence}      the graphics context is away
@@ -20,11 +20,10 @@
   const play = (globalThis.Raysteps ??= {}).play ??= {};
 
   function openSession(gpu, choices) {
-    const run = { choices: { ...choices }, edits: {}, lit: { lamps: true, mirrors: true, all: false } };
+    const run = { choices: { ...choices }, edits: {}, lit: { lamps: true, mirrors: true, gloss: true, all: false } };
     let stopping = null;
     let last = null; // {mine, right}: results of traces
     let rightOf = null; // {key, result, picture}
-    const shadedPasses = ["light/add_light.frag", "light/cast_shadow_rays.frag", "light/reflect.frag", "light/add_surroundings.frag", "select/select_unmirrored.frag"];
 
     function edit(path, text) {
       if (text === play.files[path]) delete run.edits[path];
@@ -35,7 +34,8 @@
       const parts = play.walkParts({ ...run.choices, observer: play.observerOf(run.choices.view) });
       const traced = play.filesOf("pass/trace/resume.frag", parts, run.edits);
       const { view } = run.choices;
-      const shown = view === "shaded" ? shadedPasses.flatMap((pass) => play.filesOf(`pass/${pass}`, { real: parts.real }, run.edits))
+      const lit = play.passesOf(view);
+      const shown = lit.length ? lit.flatMap((pass) => play.filesOf(pass.file, pass.parts, run.edits))
         : play.observerOf(view) !== "none" ? [] : play.filesOf("pass/show/show_hits.frag", { real: parts.real, view: play.findPart("view", view) }, run.edits);
       const rays = play.filesOf("pass/rays/compute_rays.frag", { real: parts.real }, run.edits);
       const first = [parts.structure, ...(parts.packet ? [parts.packet] : []), parts.triangle];
@@ -83,7 +83,7 @@
       try {
         const scene = play.changedScene(await play.openScene(run.choices.scene), run.lit);
         const options = {
-          walk, triangle, observer: play.observerOf(view), edits, signal: own.signal, onProgress, plan: play.shadingPlan(scene, run.lit.all),
+          walk, triangle, observer: play.observerOf(view), edits, signal: own.signal, onProgress, plan: play.planOf(view, scene, run.lit.all),
         };
         rays = play.cameraRays(gpu, scene, size, edits);
         mine = await play.trace(gpu, scene, rays, options);
@@ -97,7 +97,7 @@
         mine = null;
         return {
           kind: "picture", mine: picture, right: right?.picture ?? null, difference, result, stopped: result.stopped ?? picture.stopped,
-          milliseconds: view === "shaded" ? performance.now() - begun : result.milliseconds, rays: size * size, scene,
+          milliseconds: options.plan ? performance.now() - begun : result.milliseconds, rays: size * size, scene, plan: options.plan,
         };
       } catch (error) {
         if (error instanceof play.CompileError) return { kind: "errors", errors: error.errors };

@@ -1,80 +1,29 @@
-// Light, hard shadows and mirrors as a wavefront of passes: what common/render/whitted_renderer.cpp does. And what of it a scene calls
-// for, as chapter 09 has it.
+// Light as a wavefront of passes: what common/render/whitted_renderer.cpp and common/render/effects do, with the passes of a plan.
 //
-//   play.shadingPlan(scene, all)      {effects: [{name, reason, isOn, passes: [name]}], passes: [name]}; reason: "" where nothing calls for it
-//       all: run the passes of every effect, called for or not
-//   play.changedScene(scene, {lamps, mirrors})   the scene without its lamps, or with matte mirrors; itself where both are true
-//   await play.shade(gpu, scene, rays, result, {walk, triangle, edits, plan, signal})   result: the camera's trace
+//   await play.shade(gpu, scene, rays, result, {walk, triangle, edits, plan, signal})   result: the camera's trace; plan: engine/plan.js
 //       {linear, waves, stopped}      four numbers a pixel, bottom row first; how often rays went on; stopped as in tracer.js
 "use strict";
 
 (() => {
   const play = (globalThis.Raysteps ??= {}).play ??= {};
   const mostBounces = 8;
-  const texelsOfMaterial = 3; // light/materials.glsl
   const rowsOfTrial = 2;
-  const effectNames = ["diffuse", "shadows", "mirrors"];
-  const passesOf = {
-    diffuse: ["add_light"], shadows: ["cast_shadow_rays"], mirrors: ["select_unmirrored", "reflect"],
-  };
-  const always = ["start_weights", "add_surroundings", "select_misses"];
-  const changed = new WeakMap();
 
-  const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
-
-  // What the materials that have it are, in words; "" where no triangle has such a material.
-  function reasonOf({ arrays }, has) {
-    const { data } = arrays.materials;
-    const which = new Set(Array.from({ length: arrays.materials.texels / texelsOfMaterial }, (_, i) => i)
-      .filter((i) => has(data.subarray(4 * texelsOfMaterial * i, 4 * texelsOfMaterial * (i + 1)))));
-    const triangles = arrays.triangle_materials.data.reduce((sum, material) => sum + which.has(material), 0);
-    const used = new Set(arrays.triangle_materials.data.filter((material) => which.has(material)));
-    return triangles ? `${counted(used.size, "material")}, ${counted(triangles, "triangle")}` : "";
-  }
-
-  function shadingPlan(scene, all = false) {
-    const lights = scene.lights.filter(({ color }) => color.some((part) => part !== 0)).length;
-    const lit = reasonOf(scene, (material) => material[0] !== 0 || material[1] !== 0 || material[2] !== 0);
-    const diffuse = lights && lit ? `${lit}; ${counted(lights, "light")}` : "";
-    const reasons = {
-      diffuse,
-      shadows: diffuse && scene.triangles > 1 ? `${counted(lights, "light")}, ${counted(scene.triangles, "triangle")} that may stand before ${lights === 1 ? "it" : "them"}` : "",
-      mirrors: reasonOf(scene, (material) => material[7] > 0 && Math.max(material[4], material[5], material[6]) > 0),
-    };
-    const effects = effectNames.map((name) => ({ name, reason: reasons[name], isOn: all || reasons[name] !== "", passes: passesOf[name] }));
-    return { effects, passes: [...always, ...effects.flatMap(({ isOn, passes }) => (isOn ? passes : []))] };
-  }
-
-  function changedScene(scene, { lamps, mirrors }) {
-    if (lamps && mirrors) return scene;
-    if (!changed.has(scene)) changed.set(scene, new Map());
-    const kept = changed.get(scene);
-    const key = `${lamps} ${mirrors}`;
-    if (!kept.has(key)) {
-      const { materials } = scene.arrays;
-      const data = materials.data.slice();
-      for (let i = 7; !mirrors && i < data.length; i += 4 * texelsOfMaterial) data[i] = 0;
-      kept.set(key, { ...scene, lights: lamps ? scene.lights : [], arrays: { ...scene.arrays, materials: { ...materials, data } } });
-    }
-    return kept.get(key);
-  }
-
-  async function shade(gpu, scene, rays, result, { walk, triangle, edits = {}, plan = shadingPlan(scene), signal = null }) {
+  async function shade(gpu, scene, rays, result, { walk, triangle, plan, edits = {}, signal = null }) {
     const { width, height } = rays;
-    const isOn = Object.fromEntries(plan.effects.map((effect) => [effect.name, effect.isOn]));
     const owned = [];
     const texture = () => {
       owned.push(gpu.texture("rgba32f", width, height));
       return owned.at(-1);
     };
-    const surfaces = Object.fromEntries(["triangle_corners", "triangle_normals", "triangle_materials", "materials"].map((name) => [name, scene.arrays[name]]));
+    const surfaces = { ...scene.arrays, background: scene.background };
     const tried = new Set();
 
     // A pass of these values. A reader's loop without an end is found in a few rows before it fills the picture.
-    function ready(folder, name, values) {
+    function ready({ name, file, parts }, values) {
       if (signal?.aborted) throw new play.Stopped("Stopped.");
-      const made = gpu.program(`pass/${folder}/${name}.frag`, { real: "real/float.glsl" }, edits);
-      const hasLoop = made.files.some((file) => edits[file] !== undefined && /\b(for|while)\b/.test(edits[file]));
+      const made = gpu.program(file, parts, edits);
+      const hasLoop = made.files.some((each) => edits[each] !== undefined && /\b(for|while)\b/.test(edits[each]));
       if (hasLoop && !tried.has(name)) {
         tried.add(name);
         const middle = Math.floor(height / 2);
@@ -83,8 +32,10 @@
       }
       return made;
     }
-    const run = (name, values, targets, options) => gpu.draw(ready("light", name, values), values, targets, options);
-    const retire = (name, values) => gpu.retire(live, ready("select", name, values), values);
+    const run = (pass, values, targets, options) => gpu.draw(ready(pass, values), values, targets, options);
+    const named = (name) => plan.passes.find((pass) => pass.name === name);
+    const retire = (name, values) => gpu.retire(live, ready(named(name), values), values);
+    const anyLeft = () => gpu.any(ready(named("select_all"), {}), {}, live);
 
     const color = texture();
     const live = gpu.mask(width, height);
@@ -98,18 +49,19 @@
     }
 
     // Of all lights, each after its shadow rays.
-    async function addLights(paths, values) {
+    async function addLights(values) {
       const shadow = { origins: texture(), directions: texture(), width, height };
-      const nothing = gpu.texture("rgba32ui", width, height, { layers: 1 });
-      made.push({ hits: nothing, observations: null });
-      gpu.clear(nothing, [0, 0, 0, 0xffffffff]); // no triangle
       for (const light of scene.lights) {
         const lamp = { ...values, light_position: light.position, light_color: light.color };
-        gpu.clear(shadow.origins, [0, 0, 0, 0]);
-        gpu.clear(shadow.directions, [0, 0, 0, -1]); // so that pixels without a path have no ray
-        if (isOn.shadows) run("cast_shadow_rays", lamp, [shadow.origins, shadow.directions], { live });
-        const shadowHits = isOn.shadows ? await trace(shadow, play.farthest) : nothing;
-        run("add_light", { ...lamp, shadow_hits: shadowHits }, [color], { live, blend: "add" });
+        if (plan.cast) {
+          gpu.clear(shadow.origins, [0, 0, 0, 0]);
+          gpu.clear(shadow.directions, [0, 0, 0, -1]); // so that pixels without a path have no ray
+          run(plan.cast, lamp, [shadow.origins, shadow.directions], { live });
+          const asked = { ray_origins: shadow.origins, ray_directions: shadow.directions };
+          if (plan.facing && !await gpu.any(ready(plan.facing, asked), asked, live)) continue;
+          lamp.shadow_hits = await trace(shadow, play.farthest);
+        }
+        for (const pass of plan.lamps) run(pass, lamp, [color], { live, blend: "add" });
         await gpu.finished();
       }
     }
@@ -119,19 +71,23 @@
       let next = { origins: texture(), directions: texture(), weights: texture(), width, height };
       let { hits } = result;
       gpu.clear(color, [0, 0, 0, 0]);
-      run("start_weights", {}, [paths.weights]);
+      run(named("start_weights"), {}, [paths.weights]);
       for (let bounce = 0; ; ++bounce) {
-        const values = { ...surfaces, ray_origins: paths.origins, ray_directions: paths.directions, hits, weights: paths.weights, background: scene.background };
-        run("add_surroundings", values, [color], { live, blend: "add" });
+        const values = { ...surfaces, ray_origins: paths.origins, ray_directions: paths.directions, hits, weights: paths.weights };
+        run(named("add_surroundings"), values, [color], { live, blend: "add" });
         retire("select_misses", values);
-        if (isOn.diffuse) await addLights(paths, values);
-        if (!isOn.mirrors || bounce === mostBounces) break;
+        if (plan.lamps.length) await addLights(values);
+        if (!plan.reflect || bounce === mostBounces) break;
         retire("select_unmirrored", values);
-        if (!await gpu.any(ready("select", "select_all", {}), {}, live)) break;
-        run("reflect", values, [next.origins, next.directions, next.weights], { live });
+        if (!await anyLeft()) break;
+        run(plan.reflect, values, [next.origins, next.directions, next.weights], { live });
         const last = paths;
         paths = next;
         next = bounce === 0 ? { origins: texture(), directions: texture(), weights: last.weights, width, height } : last;
+        if (plan.faintest !== null) {
+          retire("select_faint", { weights: paths.weights, faintest: plan.faintest });
+          if (!await anyLeft()) break;
+        }
         hits = await trace(paths, -play.farthest);
       }
       return { linear: gpu.readFloats(color), waves, stopped: null };
@@ -147,5 +103,5 @@
     }
   }
 
-  Object.assign(play, { shadingPlan, changedScene, shade });
+  Object.assign(play, { shade });
 })();

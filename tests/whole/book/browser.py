@@ -1,5 +1,6 @@
 """A headless browser that reads the book as it is served."""
 
+import contextlib
 import os
 import shutil
 import sys
@@ -17,6 +18,7 @@ from book.serve import make_server
 STORE = Path(os.environ.get("RAYSTEPS_BOOK", ROOT / "build" / "default" / "book"))
 SITE = STORE / "site"
 NOT_RUN = 77  # CTest takes it for skipped
+BETWEEN_LOOKS = 0.02  # seconds
 SWITCHES = ("--headless=new", "--disable-dev-shm-usage", "--ignore-gpu-blocklist", "--hide-scrollbars")
 SWIFTSHADER = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
@@ -57,6 +59,7 @@ class BrowserTest(unittest.TestCase):
         cls.thread = threading.Thread(target=cls.server.serve_forever, daemon=True)
         cls.thread.start()
         cls.browser = start_browser()
+        cls.browser.set_window_size(1200, 900)
 
     @classmethod
     def tearDownClass(cls):
@@ -64,18 +67,28 @@ class BrowserTest(unittest.TestCase):
         cls.server.shutdown()
         cls.server.server_close()
 
-    def open(self, page, width=1200, height=900):
-        """Loads a page, and waits until its figures live. What the browser complained about before
-        is forgotten."""
-        self.browser.set_window_size(width, height)
+    @contextlib.contextmanager
+    def phone(self, width=375):
+        """Pages are so wide meanwhile. (A window may be wider than it is asked to be.)"""
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+        try:
+            yield
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def open(self, page):
+        """Loads a page. What the browser complained about before is forgotten."""
         self.browser.get_log("browser")
         self.browser.get(f"http://127.0.0.1:{self.server.server_port}/{page}")
         self.wait_for("return document.readyState === 'complete'")
-        self.wait_for("return [...document.querySelectorAll('figure.walk:not([data-viewer])')]"
-                      ".every((figure) => figure.dataset.ready)")
+
+    def without_playgrounds(self):
+        """Those of the page: they would load when they come near, which takes seconds, and have tests of their own."""
+        self.browser.execute_script("document.querySelectorAll('[data-play]').forEach((place) => place.remove())")
 
     def wait_for(self, script, *arguments):
-        return WebDriverWait(self.browser, 30).until(
+        return WebDriverWait(self.browser, 30, BETWEEN_LOOKS).until(
             lambda browser: browser.execute_script(script, *arguments), script)
 
     def complaints(self):

@@ -28,7 +28,8 @@ for (const panel of document.querySelectorAll("main > details[open]")) panel.ope
 const initial = { scene: "mirrors", walk: "bvh_ordered", triangle: "watertight", view: "normals", size: 128 };
 Object.assign(run.choices, initial);
 for (const [name, value] of Object.entries(initial)) document.getElementById(name).value = value;
-Object.assign(run.lit, { lamps: true, mirrors: true, all: false });
+Object.assign(run.lit, { lamps: true, mirrors: true, gloss: true, all: false });
+for (const name of Object.keys(run.lit)) document.getElementById(`plan-${name}`).checked = run.lit[name];
 document.body.dataset.state = "asked";
 Raysteps.play.page.open(run.files()[0]);
 go();

@@ -1,5 +1,6 @@
 """Every page in a browser: no complaint, formulas set, words linked; search, phones, dark pages."""
 
+import functools
 import gzip
 import re
 import struct
@@ -46,15 +47,19 @@ WORDS = words_of((ROOT / GLOSSARY).read_text())
 LESSONS = {name.replace(".md", ".html") for path, name in page_names(ROOT).items() if is_lesson(path)}
 
 
+@functools.cache
+def bytes_of(name):
+    """How many bytes a reader loads for this file of the book; none of what only walks need."""
+    file = SITE / name
+    if not name or not file.is_file() or name.startswith("walks/") or file.name == "vtk.js":
+        return 0
+    data = file.read_bytes()
+    return len(gzip.compress(data)) if file.suffix in PACKED else len(data)
+
+
 def weight(addresses):
-    """How many bytes these files of the book have together, but for what only walks need."""
-    total = 0
-    for name in {unquote(urlparse(address).path).lstrip("/") for address in addresses}:
-        file = SITE / name
-        if name and file.is_file() and not name.startswith("walks/") and file.name != "vtk.js":
-            data = file.read_bytes()
-            total += len(gzip.compress(data)) if file.suffix in PACKED else len(data)
-    return total
+    """How many bytes these files of the book have together."""
+    return sum(map(bytes_of, {unquote(urlparse(address).path).lstrip("/") for address in addresses}))
 
 
 def unlinked(links, text):
@@ -65,12 +70,21 @@ def unlinked(links, text):
 
 
 class Browser(BrowserTest):
-    def test_pages_load_without_complaints_with_formulas_and_linked_words(self):
+    def test_pages_load_without_complaints_with_formulas_and_linked_words_and_fit_a_phone(self):
+        """Each is loaded once, on a phone, and widened then."""
         checked = 0
         for page in PAGES + OTHERS:
-            with self.subTest(page=page):
+            with self.subTest(page=page), self.phone():
                 self.open(page)
-                self.assertEqual(self.complaints(), [])
+                if page in PAGES:
+                    loaded = self.browser.execute_script(LOADED)
+                    self.assertGreater(weight(loaded), 100_000)
+                    self.assertLess(weight(loaded), HEAVIEST)
+                    too_wide = self.browser.execute_script(WIDE)
+                    self.assertLessEqual(too_wide, 0, self.browser.execute_script(WIDEST))
+                if page == "04_grid.html":
+                    self.keep_picture("narrow")
+            with self.subTest(page=page):
                 self.assertEqual(self.browser.execute_script(
                     "return [...document.querySelectorAll('.arithmatex')].filter("
                     "(e) => !e.querySelector('.katex')).length"), 0)
@@ -84,6 +98,7 @@ class Browser(BrowserTest):
                     checked += len(links)
                     self.assertEqual(len(links), len(set(links)), links)
                     self.assertEqual(unlinked(links, text), [])
+                self.assertEqual(self.complaints(), [])
         self.assertGreater(checked, 100)
 
     def test_a_word_shows_its_meaning_and_leads_to_the_glossary(self):
@@ -167,44 +182,25 @@ class Browser(BrowserTest):
         self.assertIn("Must a triangle in two cells be tested twice?", found)
         self.keep_picture("search")
 
-    def test_on_a_phone_pages_are_light_and_do_not_scroll_sideways(self):
-        for page in PAGES:
-            with self.subTest(page=page):
-                self.open(page, width=375, height=800)
-                loaded = self.browser.execute_script(LOADED)
-                self.assertGreater(weight(loaded), 100_000)
-                self.assertLess(weight(loaded), HEAVIEST)
-                # A window may be wider than asked for; its inside is what counts.
-                self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-                    "width": 375, "height": 800, "deviceScaleFactor": 1, "mobile": False})
-                too_wide = self.browser.execute_script(WIDE)
-                self.assertLessEqual(too_wide, 0, self.browser.execute_script(WIDEST))
-                if page == "04_grid.html":
-                    self.keep_picture("narrow")
-        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-
     def test_drawings_have_the_colours_of_the_page_and_the_whole_width_of_a_phone(self):
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
-        self.open("02_triangles.html", width=390, height=800)
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
-        seen = self.browser.execute_script("""
-            const isDark = document.body.dataset.mdColorScheme === 'slate';
-            return [...document.querySelectorAll('article img[src$=".svg"]')].map((img) => [
-              img.alt.length > 60, getComputedStyle(img).colorScheme === (isDark ? 'dark' : 'light'),
-              img.getBoundingClientRect().left, img.getBoundingClientRect().right]);""")
-        self.assertGreaterEqual(len(seen), 3)
-        self.open("06_bvh.html", width=390, height=800)
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
-        self.browser.execute_script("document.querySelector('[data-moving]').scrollIntoView()")
-        moving = self.wait_for("""
-            const svg = document.querySelector('figure.moving svg');
-            if (!svg) return null;
-            const box = svg.getBoundingClientRect();
-            return [svg.getAttribute('aria-label').length > 60, true, box.left, box.right];""")
-        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        with self.phone(390):
+            self.open("02_triangles.html")
+            seen = self.browser.execute_script("""
+                const isDark = document.body.dataset.mdColorScheme === 'slate';
+                return [...document.querySelectorAll('article img[src$=".svg"]')].map((img) => [
+                  img.alt.length > 60, getComputedStyle(img).colorScheme === (isDark ? 'dark' : 'light'),
+                  img.getBoundingClientRect().left, img.getBoundingClientRect().right]);""")
+            self.assertGreaterEqual(len(seen), 3)
+            self.open("06_bvh.html")
+            self.without_playgrounds()
+            self.browser.execute_script("document.querySelector('[data-moving]').scrollIntoView()")
+            moving = self.wait_for("""
+                const svg = document.querySelector('figure.moving svg');
+                if (!svg) return null;
+                const box = svg.getBoundingClientRect();
+                return [svg.getAttribute('aria-label').length > 60, true, box.left, box.right];""")
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
         for has_words, follows_page, left, right in [*seen, moving]:
             self.assertTrue(has_words and follows_page)
@@ -213,6 +209,7 @@ class Browser(BrowserTest):
 
     def test_a_drawing_moves_by_keys_and_by_a_pointer_and_stands_still_before(self):
         self.open("05_kd_tree.html")
+        self.without_playgrounds()
         picture = self.browser.find_element("css selector", "[data-moving]")
         self.browser.execute_script("arguments[0].scrollIntoView()", picture)
         self.wait_for("return document.querySelector('figure.moving input')")

@@ -40,8 +40,10 @@ FIGURES = {"04_grid.html": "cell", "05_kd_tree.html": "node", "06_bvh.html": "no
 class Figures(BrowserTest):
     def open_figure(self, page):
         self.open(page)
+        self.without_playgrounds()
         figure = self.browser.find_element("css selector", "figure.walk")
-        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", figure)
+        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", figure)
+        self.wait_for("return arguments[0].dataset.ready", figure)
         return figure
 
     def canvas(self):
@@ -177,6 +179,7 @@ class Figures(BrowserTest):
             "source": "HTMLCanvasElement.prototype.getContext = () => null;"})
         try:
             self.browser.get(f"http://127.0.0.1:{self.server.server_port}/04_grid.html")
+            self.browser.execute_script("document.querySelector('figure.walk').scrollIntoView({behavior: 'instant'})")
             self.wait_for("return document.querySelector('figure.walk .walk-note')")
             self.assertIn("no WebGL", self.browser.find_element(
                 "css selector", "figure.walk .walk-note").text)

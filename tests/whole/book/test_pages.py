@@ -15,7 +15,6 @@ from book.figures import TABLE
 from book.links import Links
 from book.lists import family_name, items, section, work
 from book.pages import make_page
-from playground.exercises import shader_exercises
 
 PAGE = Path("chapters/04_a/README.md")
 
@@ -135,7 +134,7 @@ class Pages(FolderTest):
         links = Links(ROOT, self.folder, [], self.folder)
         for lesson in sorted((ROOT / "chapters").glob("[0-9]*/README.md")):
             played = [words for kind, words in directives_in(lesson.read_text()) if kind == "play" and "=" not in words]
-            wanted = [exercise.number for exercise in shader_exercises(ROOT) if exercise.chapter == lesson.parent.name]
+            wanted = [exercise.number for exercise in links.exercises if exercise.is_shader and exercise.chapter == lesson.parent.name]
             self.assertEqual(sorted(played), sorted(wanted))
             for number in played:
                 self.assertIn(f'data-play="{number}"', "".join(carry_out(f"<!-- play: {number} -->", links, None)))

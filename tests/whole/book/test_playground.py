@@ -23,10 +23,11 @@ from book.serve import make_server
 from playground.data import PAGE, packed_in, scene_file
 
 PROGRAM = STORE.parent / "chapters" / "06_bvh" / "06_bvh"
-SHADER = STORE.parent / "chapters" / "03_shading" / "03_shading"
+SHADERS = {"shaded": STORE.parent / "chapters" / "03_shading" / "03_shading", "effects": STORE.parent / "chapters" / "09_effects" / "09_effects"}
 RAYS = 16384  # for each structure; its other walks have fewer
 FEWER_RAYS = 2048
 SHADED_SIZE = 96
+SAME = 1e-4  # of colours: highlights have powers, which each platform rounds in its own way (1.1e-5 on SwiftShader)
 SCENE = "mirrors"
 # Every program of the catalogue goes through the compiler; linked is each pass and each part once, since that takes longer.
 COMPILE = """
@@ -84,7 +85,7 @@ return { asked, differing };
 """
 
 
-# The shaded picture of the page against the program's, number by number.
+# The lit picture of the page against the program's, number by number.
 SHADED = """
 const { play } = Raysteps;
 const expected = new Uint32Array(Uint8Array.from(atob(given.expected), (letter) => letter.charCodeAt(0)).buffer);
@@ -94,11 +95,24 @@ const scene = await play.openScene(given.scene);
 const rays = play.cameraRays(gpu, scene, size);
 const tracing = { walk: "bvh_ordered", triangle: "watertight" };
 const traced = await play.trace(gpu, scene, rays, { ...tracing, trial: false });
-const { linear } = await play.shade(gpu, scene, rays, traced, tracing);
+const { linear } = await play.shade(gpu, scene, rays, traced, { ...tracing, plan: play.planOf(given.view, scene) });
 const words = new Uint32Array(linear.buffer);
+const colors = new Float32Array(expected.buffer);
 let differing = 0;
-for (let pixel = 0; pixel < size * size; ++pixel) differing += [0, 1, 2].some((i) => words[4 * pixel + i] !== expected[3 * pixel + i]);
-return { differing, lit: linear.some((value) => value > 0.5) };
+let most = 0;
+for (let pixel = 0; pixel < size * size; ++pixel) {
+  differing += [0, 1, 2].some((i) => words[4 * pixel + i] !== expected[3 * pixel + i]);
+  most = Math.max(most, ...[0, 1, 2].map((i) => Math.abs(linear[4 * pixel + i] - colors[3 * pixel + i])));
+}
+return { differing, most, lit: linear.some((value) => value > 0.5) };
+"""
+
+# What the page plans for a scene, in the words of `09_effects --explain`.
+PLAN = """
+const { play } = Raysteps;
+const { effects, passes } = play.planOf("effects", await play.openScene(given.scene), given.all);
+const partsOf = ({ parts }) => Object.keys(parts).filter((slot) => slot !== "real").sort().map((slot) => parts[slot]).join(", ");
+return { effects: effects.filter(({ isOn }) => isOn).map(({ name }) => name), passes: passes.map((pass) => pass.name + (partsOf(pass) && ` with ${partsOf(pass)}`)) };
 """
 
 
@@ -139,10 +153,18 @@ def hits_of_the_program(rays):
         return answered.read_bytes()
 
 
-def expected_picture():
+def planned_by_the_program(scene, choice):
+    """The effects and the passes that `09_effects --explain` names."""
+    with tempfile.TemporaryDirectory(prefix="raysteps_playground_") as folder:
+        said = subprocess.run([SHADERS["effects"], "--scene", scene, "--size", "8", "--explain", *choice, "--out", folder],
+                              check=True, capture_output=True, text=True).stdout
+    return {"effects": re.findall(r"^effect +(\w+):", said, re.MULTILINE), "passes": re.findall(r"^pass +(.+)$", said, re.MULTILINE)}
+
+
+def expected_picture(view):
     """What the C++ program shades: three floats a pixel, the bottom row first."""
     with tempfile.TemporaryDirectory(prefix="raysteps_playground_") as folder:
-        subprocess.run([SHADER, "--scene", SCENE, "--size", str(SHADED_SIZE), "--structure", "bvh_ordered", "--out", folder],
+        subprocess.run([SHADERS[view], "--scene", SCENE, "--size", str(SHADED_SIZE), "--structure", "bvh_ordered", "--out", folder],
                        check=True, stdout=subprocess.DEVNULL)
         file = next(Path(folder).rglob("*.pfm")).read_bytes()
     return base64.b64encode(file[-12 * SHADED_SIZE * SHADED_SIZE:]).decode()
@@ -289,22 +311,43 @@ class Playground(PlaygroundTest):
         self.wait_for("errors")
         self.assertIn("Shorten it", self.said())
 
-    def test_the_wavefront_lights_the_scene_and_runs_only_what_it_calls_for(self):
+    def test_the_wavefront_of_chapter_03_has_the_bits_of_the_program(self):
         self.begin()
         self.choose("view", "shaded")
         self.wait_for("picture")
+        found = self.run_in_page(SHADED, {"expected": expected_picture("shaded"), "scene": SCENE, "view": "shaded"})
+        self.assertEqual(found, {"differing": 0, "most": 0, "lit": True})
+
+    def test_effects_come_and_go_with_what_calls_for_them(self):
+        self.begin()
+        self.choose("view", "effects")
+        self.wait_for("picture")
         self.browser.execute_script("document.getElementById('plan').open = true")
-        self.assertIn("reflect", self.text("plan-said"))
+        self.assertRegex(self.text("plan-said"), "light_surface, add_highlight, select_unmirrored, reflect, select_faint")
         self.keep_picture("playground_plan")
-        found = self.run_in_page(SHADED, {"expected": expected_picture(), "scene": SCENE})
-        self.assertEqual(found, {"differing": 0, "lit": True})
+        found = self.run_in_page(SHADED, {"expected": expected_picture("effects"), "scene": SCENE, "view": "effects"})
+        self.assertLess(found["most"], SAME)
+        self.assertTrue(found["lit"])
+        for box, passes in (("gloss", "add_highlight"), ("mirrors", "reflect")):
+            self.tick(f"plan-{box}")
+            self.assertNotIn(passes, self.text("plan-said") + self.text("plan-rows"))
+            self.tick(f"plan-{box}")
+            self.assertIn(passes, self.text("plan-said"))
+        self.tick("plan-mirrors")
         self.tick("plan-all")
+        self.assertIn("reflect", self.text("plan-said"))
         self.assertIn("0 of 16,384 pixels differ", self.text("plan-said"))
         self.tick("plan-all")
-        self.tick("plan-mirrors")
-        self.assertNotIn("reflect", self.text("plan-said"))
         self.tick("plan-lamps")
-        self.assertEqual(re.findall(r"add_light|cast_shadow_rays|reflect", self.text("plan-rows")), [])
+        self.assertEqual(re.findall(r"light_surface|add_highlight|cast_lamp_rays|reflect", self.text("plan-rows")), [])
+
+    def test_a_plan_has_the_effects_and_the_passes_of_the_programs(self):
+        self.begin()
+        for scene, choice in ((SCENE, ()), ("cornell_box", ()), ("tetrahedron:2", ()), ("tetrahedron:2", ("--effects", "+diffuse,+highlights,+shadows,+mirrors"))):
+            with self.subTest(scene=scene, choice=choice):
+                wanted = planned_by_the_program(scene, choice)
+                self.assertGreater(len(wanted["passes"]), 5)
+                self.assertEqual(self.run_in_page(PLAN, {"scene": scene, "all": bool(choice)}), wanted)
 
     def test_rays_that_no_test_may_lose_leak_through_one_and_not_through_another(self):
         self.begin()

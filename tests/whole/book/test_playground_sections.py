@@ -217,7 +217,9 @@ class Without(PlaygroundTest):
                 ("const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...more) "
                  "{ return kind === 'webgl2' ? null : get.call(this, kind, ...more); }", "has no WebGL2"),
                 ("const get = WebGL2RenderingContext.prototype.getExtension; WebGL2RenderingContext.prototype.getExtension = function (name) "
-                 "{ return name === 'EXT_color_buffer_float' ? null : get.call(this, name); }", "cannot draw into textures of floats")):
+                 "{ return name === 'EXT_color_buffer_float' ? null : get.call(this, name); }", "cannot draw into textures of floats"),
+                ("const give = WebGL2RenderingContext.prototype.shaderSource; WebGL2RenderingContext.prototype.shaderSource = function (shader, text) "
+                 "{ give.call(this, shader, text.replace('bits.low = bits.low - 1;', 'bits.low = bits.low - 1 & 0xffff;')); }", "keeps only 16 bits")):
             with self.subTest(words):
                 self.open_without(script)
                 self.wait_until("return Raysteps.play.page")

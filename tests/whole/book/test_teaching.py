@@ -71,14 +71,31 @@ class Plans(FolderTest):
 class Archive(FolderTest):
     def test_it_has_each_drawing_and_the_licence_and_says_when_there_is_no_png(self):
         with mock.patch.object(drawings_zip, "has_browser", lambda: False):
-            self.assertEqual(drawings_zip.make_archive(ROOT, self.folder / "a.zip"), (len(descriptions(ROOT)), False))
-            line = drawings_zip.drawings(mock.Mock(root=ROOT, out=self.folder), None)[0]
+            for _ in range(2):  # made, and kept
+                self.assertEqual(drawings_zip.make_archive(ROOT, self.folder / "a.zip", self.folder / "made"), (len(descriptions(ROOT)), False))
+            line = drawings_zip.drawings(mock.Mock(root=ROOT, out=self.folder, made=self.folder / "made"), None)[0]
         self.assertIn("without chromium", line)
         with zipfile.ZipFile(self.folder / "a.zip") as archive:
             self.assertEqual(archive.read("LICENSE"), (ROOT / "LICENSE").read_bytes())
             self.assertEqual(archive.read("svg/06_bvh_slabs.svg"),
                              (ROOT / "chapters/06_bvh/drawings/slabs.svg").read_bytes())
             self.assertEqual(len(archive.namelist()), 1 + len(descriptions(ROOT)))
+
+    def test_one_that_is_kept_is_taken_until_a_drawing_changes(self):
+        root, kept = self.folder / "root", self.folder / "made"
+        (root / "chapters/06_bvh/drawings").mkdir(parents=True)
+        (root / "LICENSE").write_text("MIT")
+        (root / "chapters/06_bvh/drawings/a.py").write_text("")
+        made = []
+        for text in ("<svg/>", "<svg/>", "<svg></svg>"):
+            (root / "chapters/06_bvh/drawings/a.svg").write_text(text)
+            with mock.patch.object(drawings_zip, "has_browser", lambda: True), \
+                    mock.patch.object(drawings_zip, "pictures_of", lambda drawings: made.append(drawings) or dict.fromkeys(drawings, b"png")):
+                self.assertEqual(drawings_zip.make_archive(root, self.folder / "a.zip", kept), (1, True))
+            with zipfile.ZipFile(self.folder / "a.zip") as archive:
+                self.assertEqual(archive.read("svg/06_bvh_a.svg").decode(), text)
+                self.assertEqual(archive.read("png/06_bvh_a.png"), b"png")
+        self.assertEqual(len(made), 2)
 
 
 class Afternoon(unittest.TestCase):

@@ -16,10 +16,11 @@ TEST_CASE("numbers that cannot be written are refused and leave no partial file"
     workplace.write("file", "");
     std::filesystem::create_directory(workplace / "folder");
     for (const std::string& chapter : chapters) {
+        std::vector<std::string> options{"--scene", "cornell_box", "--size", "8x6",
+                                         "--out",   "pictures",    "--json", "folder"};
+        workplace.run(chapter, options); // so that the pictures are no new files
         for (const std::string json : {"file/numbers.json", "folder", "/dev/null"}) {
-            const std::vector<std::string> options{"--scene", "cornell_box", "--size", "8x6",
-                                                   "--out",   "pictures",    "--json", json};
-            workplace.run(chapter, options); // so that the pictures are no new files
+            options.back() = json;
             check_refusal(workplace, chapter, options, 2, {json, "cannot be written"});
         }
     }

@@ -2,6 +2,7 @@
 
 import functools
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -49,6 +50,15 @@ def solution_of(number):
     return "\n".join(exercise_of(number).region.code)
 
 
+@functools.lru_cache(maxsize=None)
+def _new_workbook(*options):
+    """What `./course start` makes, once for all tests of a program; and what has to live as long."""
+    folder = tempfile.TemporaryDirectory(prefix="raysteps_test_workbook_")
+    subprocess.run([*COURSE, "--workbook", f"{folder.name}/workbook", "start", *map(str, options)],
+                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True)
+    return Path(folder.name) / "workbook", folder
+
+
 class CourseTest(unittest.TestCase):
     """A test with a folder of its own, in which `workbook` is the workbook."""
 
@@ -57,6 +67,10 @@ class CourseTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
         self.workbook = self.folder / "workbook"
+
+    def start(self, *options):
+        """A workbook of its own, as it is made."""
+        shutil.copytree(_new_workbook(*options)[0], self.workbook)
 
     limits = ()  # options of ./course
 

@@ -10,7 +10,7 @@ from course import exercises, experiment
 class Experiment(CourseTest):
     def setUp(self):
         super().setUp()
-        self.course("start")
+        self.start()
 
     def result(self, *lines, expect):
         self.solve("2.7", "\n".join(lines))

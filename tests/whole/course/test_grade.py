@@ -21,7 +21,7 @@ def read_table(path):
 class Grade(CourseTest):
     def setUp(self):
         super().setUp()
-        self.course("start")
+        self.start()
         self.handed_in = self.folder / "handed in"
         self.solve("2.1")
         self.course("pack", "--student", "alice", "--out", self.handed_in)

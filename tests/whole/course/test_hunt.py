@@ -56,7 +56,7 @@ class Seeds(unittest.TestCase):
 class Hunt(CourseTest):
     def setUp(self):
         super().setUp()
-        self.course("start", "--seed", 1)
+        self.start("--seed", 1)
         self.exercise = exercise_of("3.6")
 
     def write(self, witness, code, seed=1):

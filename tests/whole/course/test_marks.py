@@ -81,16 +81,17 @@ class Exercises(CourseTest):
             exercises.load(self.folder)
 
     def test_every_lesson_names_its_exercises(self):
-        for chapter in {exercise.chapter for exercise in exercises.load()}:
+        every = exercises.load()
+        for chapter in {exercise.chapter for exercise in every}:
             lesson = (ROOT / "chapters" / chapter / "README.md").read_text()
             section = re.search(r"^## Exercises\n(.*?)^## ", lesson, re.MULTILINE | re.DOTALL)
             named = re.findall(r"^- (\d+\.\d+ .+)$", section[1], re.MULTILINE)
             self.assertEqual(named, [f"{exercise.number} {exercise.title}"
-                                     for exercise in exercises.load()
+                                     for exercise in every
                                      if exercise.chapter == chapter], chapter)
 
     def test_a_workbook_with_every_solution_is_the_source_without_stubs(self):
-        self.course("start")
+        self.start()
         for exercise in exercises.load():
             path = self.solve(exercise.number)
         for exercise in exercises.load():

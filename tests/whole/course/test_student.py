@@ -15,7 +15,7 @@ WRONG = """            real enters = crossing(ray, axis, up ? last : 0);
 class Student(CourseTest):
     def setUp(self):
         super().setUp()
-        self.course("start")
+        self.start()
 
     def result(self, number, expect):
         return json.loads(self.course("check", number, "--json", expect=expect))["results"][0]

@@ -73,7 +73,7 @@ class RecordedSteps(CourseTest):
     """A student's walk, as the GPU makes it in launches of one round."""
 
     def walk(self, number, old, new, checkpoint_name):
-        self.course("start")
+        self.start()
         self.solve(number, solution_of(number).replace(old, new))
         exercise = exercise_of(number)
         checkpoint = next(c for c in exercise.checkpoints if c.name == checkpoint_name)
@@ -115,7 +115,7 @@ class View(CourseTest):
         return done.stdout
 
     def test_the_first_wrong_ray_is_drawn(self):
-        self.course("start")
+        self.start()
         self.solve("4.1", WRONG)
         self.assertIn("view        ./course view 4.1", self.course("check", "4.1", expect=1))
         picture = self.folder / "wrong.png"
@@ -147,7 +147,7 @@ class View(CourseTest):
         self.assertGreater(picture.stat().st_size, 1000)
 
     def test_without_a_wrong_ray_it_says_so(self):
-        self.course("start")
+        self.start()
         self.assertIn("There is no wrong ray", self.view("4.1"))
         self.assertIn("asks about no ray", self.course("view", "1.1", "--ray=0,0,9,0,0,-1", expect=2))
 
