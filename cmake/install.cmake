@@ -44,14 +44,16 @@ install(FILES ${PROJECT_BINARY_DIR}/RaystepsConfig.cmake ${PROJECT_BINARY_DIR}/R
 
 # What was not built is not installed.
 get_property(chapters GLOBAL PROPERTY RAYSTEPS_CHAPTERS)
-foreach(program ${chapters} visualizer)
+foreach(program ${chapters} visualizer raysteps_importer)
   install(TARGETS ${program} RUNTIME DESTINATION lib/raysteps COMPONENT programs OPTIONAL)
 endforeach()
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/raysteps DESTINATION bin COMPONENT programs)
-foreach(folder trees shrink accuracy_page)
+foreach(folder trees shrink accuracy_page conformance)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/${folder} DESTINATION share/raysteps/scripts COMPONENT programs
     FILES_MATCHING PATTERN "*.py")
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/conformance/suite DESTINATION share/raysteps/docs/conformance
+  COMPONENT programs)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/raysteps RENAME copyright COMPONENT programs)
 
 set(CPACK_GENERATOR DEB)
