@@ -29,9 +29,7 @@ bool is_over_panel(const Controls& controls, const glm::dvec2& place) {
 // One move after another is one.
 void tell_panel(Controls& controls, const PanelEvent& event) {
     std::vector<PanelEvent>& events = controls.panel_events;
-    const bool moves_on = !events.empty() && events.back().pressed == event.pressed &&
-                          events.back().notches == 0.0 && event.notches == 0.0;
-    if (moves_on) {
+    if (event.only_moves && !events.empty() && events.back().only_moves) {
         events.pop_back();
     }
     events.push_back(event);
@@ -151,7 +149,7 @@ Controls move_cursor(Controls controls, const glm::dvec2& place) {
                                controls.window_size));
     controls.cursor = place;
     if (controls.help && controls.motion == Motion::none) {
-        tell_panel(controls, {place, controls.on_panel});
+        tell_panel(controls, {place, controls.on_panel, 0.0, true});
     }
     return controls;
 }

@@ -57,6 +57,7 @@ struct PanelEvent {
     glm::dvec2 place{0.0};
     bool pressed = false; // the left button, from now on
     double notches = 0.0;
+    bool only_moves = false;
 };
 
 // A letter that is none of those above.
