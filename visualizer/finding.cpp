@@ -1,11 +1,16 @@
 #include "finding.h"
 
+#include "basics/error.h"
+#include "basics/text.h"
 #include "keys.h"
 #include "mirror/trace_by_mirror.h"
+#include "mirror/walks.h"
 #include "pointing.h"
 #include "scene/view.h"
+#include "structure/bvh/bvh_split.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -28,6 +33,96 @@ State at_next(const State& state, const Stage& stage, const RecordedWalk& walk,
 
 bool has_cell(const Pane& pane, int cell) {
     return cell >= 0 && static_cast<std::size_t>(cell) < pane.cells.cells.size();
+}
+
+// Those that the cell lists.
+std::span<const std::int32_t> listed_in(const PackedStructure& packed, const char* references,
+                                        std::int32_t first, std::int32_t end) {
+    return std::span(packed.integers.at(references))
+        .subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+}
+
+bool holds_triangle(std::span<const std::int32_t> triangles, std::int32_t triangle) {
+    return std::find(triangles.begin(), triangles.end(), triangle) != triangles.end();
+}
+
+// Of a grid, a kd-tree or a hierarchy of boxes: whether a cell lists the triangle.
+std::function<bool(int)> lists_triangle(const Pane& pane, std::int32_t triangle) {
+    const PackedStructure& packed = pane.built.packed;
+    if (pane.cells.kind == CellKind::grid) {
+        return [&packed, triangle](int cell) {
+            mirror::walks::grid<float> mirror{}; // a reference has bits of the mailbox too
+            const auto place = static_cast<std::size_t>(cell);
+            const std::vector<std::int32_t>& starts = packed.integers.at("grid_starts");
+            const auto listed =
+                listed_in(packed, "grid_references", starts[place], starts[place + 1]);
+            return std::any_of(listed.begin(), listed.end(), [&](std::int32_t reference) {
+                return mirror.grid_triangle(reference) == triangle;
+            });
+        };
+    }
+    if (pane.cells.kind == CellKind::kd_tree) {
+        return [&pane, &packed, triangle](int cell) {
+            const auto place = static_cast<std::size_t>(cell);
+            const glm::ivec4& node = packed.integer_vectors.at("kd_nodes")[place];
+            return pane.cells.cells[place].leaf &&
+                   holds_triangle(listed_in(packed, "kd_references", node.y, node.z), triangle);
+        };
+    }
+    return [tree = pane.tree ? *pane.tree : box_tree_of(pane.cells, packed), triangle](int cell) {
+        const BvhNode& node = tree.nodes[static_cast<std::size_t>(cell)];
+        const auto first = static_cast<std::size_t>(std::max(node.first, 0));
+        const auto count = static_cast<std::size_t>(std::max(node.count, 0));
+        return is_leaf(tree, static_cast<std::size_t>(cell)) &&
+               first + count <= tree.order.size() &&
+               holds_triangle(std::span(tree.order).subspan(first, count), triangle);
+    };
+}
+
+Found found_cell(const Pane& pane, int cell) {
+    const int triangles = pane.cells.cells[static_cast<std::size_t>(cell)].triangles;
+    return {cell, cell_name(pane.cells, cell) + ", " + std::to_string(triangles) +
+                      (triangles == 1 ? " triangle" : " triangles")};
+}
+
+Found find_number(const Pane& pane, int number) {
+    return has_cell(pane, number) ? found_cell(pane, number)
+                                  : Found{no_cell, "there is no such cell: they are 0 to " +
+                                                       std::to_string(pane.cells.cells.size() - 1)};
+}
+
+Found find_triangle(const Stage& stage, const State& state, int triangle) {
+    const Pane& pane = *stage.panes().front();
+    if (triangle < 0 || triangle >= triangle_count(stage.scene())) {
+        return {no_cell, "there is no such triangle: they are 0 to " +
+                             std::to_string(triangle_count(stage.scene()) - 1)};
+    }
+    const auto lists = lists_triangle(pane, triangle);
+    const int count = static_cast<int>(pane.cells.cells.size());
+    for (int more = 1; more <= count; ++more) {
+        const int cell = (std::max(state.selected, -1) + more) % count;
+        if (lists(cell)) {
+            return found_cell(pane, cell);
+        }
+    }
+    return {no_cell, "no cell lists triangle " + std::to_string(triangle)};
+}
+
+Found find_point(const Pane& pane, const glm::vec3& point) {
+    Found found{no_cell, "no cell is around that point"};
+    double least = 0.0;
+    for (std::size_t i = 0; i < pane.cells.cells.size(); ++i) {
+        const Box& box = pane.cells.cells[i].box;
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            inside = inside && box.lower[axis] <= point[axis] && point[axis] <= box.upper[axis];
+        }
+        if (inside && (found.cell == no_cell || surface_area(box) <= least)) {
+            found = found_cell(pane, static_cast<int>(i));
+            least = surface_area(box);
+        }
+    }
+    return found;
 }
 
 // Only that many rays at once, so that a difference near by is found at once.
@@ -153,6 +248,38 @@ State with_sibling(const State& state, const Stage& stage, int more) {
     const int place = static_cast<int>(own - children.begin());
     return with_selected(state, stage,
                          children[static_cast<std::size_t>((place + more + count) % count)]);
+}
+
+Found find_cell(const Stage& stage, const State& state, const std::string& text) {
+    const Pane& pane = *stage.panes().front();
+    if (pane.cells.cells.empty()) {
+        return {no_cell, "the loop over every triangle has no cells"};
+    }
+    if (text.starts_with('t')) {
+        if (const auto triangle = parse_number<int>(text.substr(1))) {
+            return find_triangle(stage, state, *triangle);
+        }
+    }
+    if (const auto number = parse_number<int>(text)) {
+        return find_number(pane, *number);
+    }
+    if (const auto numbers = parse_numbers(text); numbers && numbers->size() == 3) {
+        glm::vec3 point;
+        for (int axis = 0; axis < 3; ++axis) {
+            point[axis] =
+                std::ldexp((*numbers)[static_cast<std::size_t>(axis)], state.scale_exponent);
+        }
+        return find_point(pane, point);
+    }
+    return {no_cell, "a number is a cell, t17 is a triangle, and 0.5,1,2 is a point"};
+}
+
+State with_found(const State& state, const Stage& stage, const std::string& text) {
+    const Found found = find_cell(stage, state, text);
+    if (found.cell == no_cell) {
+        throw InputError("--find " + text + ": " + found.words + ".");
+    }
+    return with_selected(state, stage, found.cell);
 }
 
 } // namespace raysteps::view

@@ -11,7 +11,7 @@ namespace raysteps {
 
 namespace {
 
-// Loaded where a context is made and not before: with its compiler it takes 0.07 s of processor
+// Loaded where a context is made and not before: with its compiler it takes 0.09 s of processor
 // time, which a program that draws nothing need not spend.
 struct Library {
     decltype(&OSMesaCreateContextAttribs) create;

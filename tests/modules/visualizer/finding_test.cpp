@@ -1,3 +1,5 @@
+#include "basics/error.h"
+#include "basics/text.h"
 #include "catch.h"
 #include "shown.h"
 #include "structure/bvh/build_bvh.h"
@@ -19,6 +21,11 @@ const RecordedWalk& walk_of(const Stage& stage, const State& state) {
 
 const Cell& cell_of(const Stage& stage, int number) {
     return stage.panes().front()->cells.cells.at(static_cast<std::size_t>(number));
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+           glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
 State after_keys(State state, const Stage& stage, const std::vector<std::string>& keys) {
@@ -52,6 +59,62 @@ TEST_CASE("keys lead to the parent, the child and the siblings of the marked cel
     CHECK(after_key(before, stage, "Control+Up").selected == 0);
     CHECK(after_key(state, stage, "Control+Up").selected == 0);
     CHECK(after_key(mirrors_state(), stage, "Control+Up").selected == no_cell);
+}
+
+TEST_CASE("a cell is found by its number, and what is none is told", "[visualizer][keys]") {
+    Stage stage;
+    const State state = mirrors_state();
+    stage.show(state);
+    CHECK(with_found(state, stage, "12").selected == 12);
+    CHECK_THAT(find_cell(stage, state, "99999").words,
+               contains_text("no such cell: they are 0 to"));
+    CHECK_THAT(find_cell(stage, state, "t99999").words, contains_text("no such triangle"));
+    CHECK_THAT(find_cell(stage, state, "").words, contains_text("t17 is a triangle"));
+    CHECK_THROWS_AS(with_found(state, stage, "1e9,0,0"), InputError);
+}
+
+TEST_CASE("a triangle is found in every cell that lists it", "[visualizer][keys]") {
+    for (const std::string structure : {"grid", "kd_ropes", "bvh_ordered", "bvh4", "half_bvh"}) {
+        CAPTURE(structure);
+        Stage stage;
+        State state = mirrors_state(structure);
+        stage.show(state);
+        const RecordedWalk& walk = walk_of(stage, state);
+        const int triangle = walk.hit.triangle;
+        REQUIRE(triangle != no_triangle);
+        int hit_in = no_cell;
+        for (const Step& step : walk.steps) {
+            for (const TriangleTest& test : tests_of(walk, step)) {
+                hit_in = test.best && test.triangle == triangle ? step.cell : hit_in;
+            }
+        }
+        const auto corners = std::span(stage.scene().corners).subspan(3 * triangle, 3);
+        std::set<int> cells;
+        const std::string text = "t" + std::to_string(triangle);
+        while (cells.insert((state = with_found(state, stage, text)).selected).second) {
+            CHECK(cell_of(stage, state.selected).leaf);
+            CHECK(overlap(cell_of(stage, state.selected).box, bounds_of(corners)));
+        }
+        CHECK(cells.contains(hit_in));
+    }
+}
+
+TEST_CASE("a point is found in the smallest cell around it", "[visualizer][keys]") {
+    Stage stage;
+    const State state = mirrors_state("kd_ropes");
+    stage.show(state);
+    const std::vector<Cell>& cells = stage.panes().front()->cells.cells;
+    for (std::size_t i = 0; i < cells.size(); i += 7) {
+        if (!cells[i].leaf) {
+            continue;
+        }
+        // Leaves of a kd-tree share no inner point.
+        const glm::vec3 middle = 0.5f * (cells[i].box.lower + cells[i].box.upper);
+        const std::string text =
+            shortest_text(middle.x) + "," + shortest_text(middle.y) + "," + shortest_text(middle.z);
+        CAPTURE(i, text);
+        CHECK(find_cell(stage, state, text).cell == static_cast<int>(i));
+    }
 }
 
 TEST_CASE("a walk goes on to the marked cell, and to the tests of its hit", "[visualizer][keys]") {
