@@ -238,7 +238,7 @@ const std::vector<KeySection>& key_table() {
            {{"Home", to_step(0)}, {"End", set(&State::step, last_step)}}},
           {"Space", "play", {{"space", A::play}}},
           {"G", "on to the marked cell", {{"g", at_next_visit}}},
-          {"A", "on to the hit, or to M's", {{"a", at_next_test}}},
+          {"A", "on to a test of the hit", {{"a", at_next_test}}},
           {"D", "where two walks part", {{"d", at_parting}}},
           {"L", "pixel where they differ", {{"l", at_next_difference}}},
           {"Tab", "next ray", {{"Tab", with_next_ray}}, now(&State::path_ray)},
@@ -329,7 +329,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string line_text(const KeyLine& line, const State& state) {
     const std::string text = " " + padded(line.shown, 14);
-    return line.value ? text + padded(line.meaning, 21) + "now " + line.value(state)
+    return line.value ? text + padded(line.meaning, 23) + "now " + line.value(state)
                       : text + line.meaning;
 }
 
