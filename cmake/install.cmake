@@ -29,12 +29,9 @@ if(RAYSTEPS_WINDOW)
   set(RAYSTEPS_CONFIG_WINDOW "find_dependency(glfw3 3.3)")
 endif()
 set(RAYSTEPS_CONFIG_CONTEXTS "")
-foreach(kind osmesa egl)
-  string(TOUPPER ${kind} name)
-  if(${name}_FOUND)
-    string(APPEND RAYSTEPS_CONFIG_CONTEXTS "pkg_check_modules(${name} REQUIRED QUIET IMPORTED_TARGET ${kind})\n")
-  endif()
-endforeach()
+if(EGL_FOUND)
+  set(RAYSTEPS_CONFIG_CONTEXTS "pkg_check_modules(EGL REQUIRED QUIET IMPORTED_TARGET egl)\n")
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RaystepsConfig.cmake.in
   ${PROJECT_BINARY_DIR}/RaystepsConfig.cmake INSTALL_DESTINATION ${cmake_folder}
   NO_SET_AND_CHECK_MACRO)
@@ -44,14 +41,16 @@ install(FILES ${PROJECT_BINARY_DIR}/RaystepsConfig.cmake ${PROJECT_BINARY_DIR}/R
 
 # What was not built is not installed.
 get_property(chapters GLOBAL PROPERTY RAYSTEPS_CHAPTERS)
-foreach(program ${chapters} visualizer)
+foreach(program ${chapters} visualizer raysteps_importer)
   install(TARGETS ${program} RUNTIME DESTINATION lib/raysteps COMPONENT programs OPTIONAL)
 endforeach()
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/raysteps DESTINATION bin COMPONENT programs)
-foreach(folder trees shrink accuracy_page)
+foreach(folder trees shrink accuracy_page conformance)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/${folder} DESTINATION share/raysteps/scripts COMPONENT programs
     FILES_MATCHING PATTERN "*.py")
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/conformance/suite DESTINATION share/raysteps/docs/conformance
+  COMPONENT programs)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/raysteps RENAME copyright COMPONENT programs)
 
 set(CPACK_GENERATOR DEB)
@@ -64,5 +63,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+if(OSMESA_FOUND)
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libosmesa6")
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, glmark2-data")
 include(CPack)

@@ -7,7 +7,7 @@
 # What the programs are built from, and the model that they render.
 packages_to_run=(
   g++ cmake ninja-build pkg-config
-  libglm-dev libosmesa6-dev libegl-dev libglfw3-dev python3-glad khronos-api
+  libglm-dev libosmesa6-dev libegl-dev libglfw3-dev libimgui-dev python3-glad khronos-api
   libegl-mesa0 libgl1-mesa-dri
   libtinyobjloader-dev libassimp-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev
   libembree-dev libboost-dev glmark2-data gnuplot-nox fonts-dejavu-core python3

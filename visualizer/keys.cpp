@@ -1,6 +1,7 @@
 #include "keys.h"
 
 #include "cell_choice.h"
+#include "finding.h"
 #include "framing.h"
 #include "layout.h"
 #include "visualizer/replay/sentence.h"
@@ -187,6 +188,10 @@ After by_rows(int more) {
     return [=](State s, const Stage& stage) { return with_row(std::move(s), stage, more); };
 }
 
+After to_sibling(int more) {
+    return [=](const State& s, const Stage& stage) { return with_sibling(s, stage, more); };
+}
+
 template <class Value>
 After set(Value State::*member, Value value) {
     return [=](State s, const Stage&) {
@@ -232,7 +237,10 @@ const std::vector<KeySection>& key_table() {
            "first, last",
            {{"Home", to_step(0)}, {"End", set(&State::step, last_step)}}},
           {"Space", "play", {{"space", A::play}}},
+          {"G", "on to the marked cell", {{"g", at_next_visit}}},
+          {"A", "on to a test of the hit", {{"a", at_next_test}}},
           {"D", "where two walks part", {{"d", at_parting}}},
+          {"L", "pixel where they differ", {{"l", at_next_difference}}},
           {"Tab", "next ray", {{"Tab", with_next_ray}}, now(&State::path_ray)},
           {"M",
            "why is the hit missed",
@@ -270,7 +278,14 @@ const std::vector<KeySection>& key_table() {
             {"Prior", by_rows(-20)},
             {"Next", by_rows(20)}},
            now(&State::sort_by)},
-          {"Shift+click", "select a cell"}}},
+          {"Shift+click", "select a cell"},
+          {"Return", "mark the step's cell", {{"Return", with_cell_of_step}}},
+          {"Ctrl+arrows",
+           "parent, child, siblings",
+           {{"Control+Up", with_parent},
+            {"Control+Down", with_child},
+            {"Control+Left", to_sibling(-1)},
+            {"Control+Right", to_sibling(1)}}}}},
         {"VIEW",
          {{"mouse", "orbit, move (middle), zoom (right, wheel)"},
           {"R  F", "all of it, fly to the step", {{"r", with_frame}, {"f", with_flight}}},
@@ -314,7 +329,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string line_text(const KeyLine& line, const State& state) {
     const std::string text = " " + padded(line.shown, 14);
-    return line.value ? text + padded(line.meaning, 21) + "now " + line.value(state)
+    return line.value ? text + padded(line.meaning, 23) + "now " + line.value(state)
                       : text + line.meaning;
 }
 

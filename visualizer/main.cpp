@@ -1,5 +1,6 @@
 // The visualizer: what a structure looks like, and how a ray walks through it.
 #include "basics/error.h"
+#include "finding.h"
 #include "framing.h"
 #include "json_files.h"
 #include "keys.h"
@@ -41,6 +42,9 @@ void run(int argc, char** argv) {
         request.state = view::after_key(request.state, stage, "d");
     }
     request.state = view::with_selected(request.state, stage, request.state.selected);
+    if (!request.sought.empty()) {
+        request.state = view::with_found(request.state, stage, request.sought);
+    }
     if (request.fly) {
         request.state.viewpoint = view::fly_to_step(stage, request.state);
     }

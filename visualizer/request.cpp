@@ -217,6 +217,9 @@ void add_options(CLI::App& app, Given& given, Request& request) {
     app.add_option("--step", given["--step"],
                    "the step to show, counted from 1; last (the default); or parting, the step "
                    "at which two walks part");
+    app.add_option("--find", request.sought,
+                   "mark a cell: by its number, the one that lists a triangle as in t17, or the "
+                   "smallest one around a point x,y,z");
     app.add_flag("--fly", request.fly, "look from close by at the step, at --select or at --why");
     app.add_option("--state", given["--state"], "start from a saved state");
     app.add_option("--save-state", request.save_to, "write the state to this file (.json)");

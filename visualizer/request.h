@@ -16,6 +16,7 @@ struct Request {
     std::vector<std::filesystem::path> exports; // .vtp, .vtm, .gltf, .vtkjs or .json
     std::filesystem::path save_to;              // a file for the state
     bool to_parting = false;                    // --step parting
+    std::string sought;                         // a cell to mark, as find_cell takes it
     bool fly = false;                           // look at the step from close by
     std::string help;                           // what --help prints; empty without it
 };

@@ -1,6 +1,7 @@
 // Chapter 03: a picture as a wavefront of passes, with light, hard shadows and mirrors.
 // load_scene -> upload -> passes -> write
 #include "render/whitted_renderer.h"
+#include "trace/live_trace.h"
 #include "trace/trace_picture.h"
 
 #include <cstdio>
@@ -35,6 +36,11 @@ void announce_loop(const PictureOptions& picture, const TraceOptions& tracing, c
     std::fflush(stdout);
 }
 
+std::string in_words(const RayCounts& rays) {
+    return std::to_string(rays.camera) + " camera, " + std::to_string(rays.shadow) + " shadow, " +
+           std::to_string(rays.mirror) + " mirror";
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -54,25 +60,34 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built = build_structure(
-            tracing.structure, scene.corners,
-            {.reach = camera_reach(picture, scene), .values = tracing.build_values});
         const Limits limits = measure_limits();
+        std::optional<WhittedRenderer> renderer;
+        const auto make = [&] {
+            const BuiltStructure built = build_structure(
+                tracing.structure, scene.corners,
+                {.reach = camera_reach(picture, scene), .values = tracing.build_values});
+            renderer = WhittedRenderer(scene, upload(scene, built),
+                                       trace_parts(tracing.triangle, tracing.structure), limits);
+            renderer->report_progress(show_progress("tracing"));
+        };
+        make();
         announce_loop(picture, tracing, scene, limits);
-        WhittedRenderer renderer(scene, upload(scene, built),
-                                 trace_parts(tracing.triangle, tracing.structure), limits);
-        renderer.report_progress(show_progress("tracing"));
+        LiveOffer live = live_trace(picture, scene, tracing, make);
+        live.choices.push_back(
+            number_choice("mirrors", 'm', {0, 1, 2, 4, 8, 16}, max_bounces, [] {}));
+        live.notes = [&] { return std::vector{in_words(renderer->ray_counts())}; };
         double seconds = 0.0;
-        show_or_write(picture, *context, scene.camera, picture_name(picture.scene),
-                      [&](const Camera& camera, int width, int height) {
-                          Image image;
-                          std::tie(image, seconds) = timed(
-                              [&] { return renderer.render(camera, width, height, max_bounces); });
-                          return image;
-                      });
-        const RayCounts& rays = renderer.ray_counts();
-        std::printf("rays      %ld camera, %ld shadow, %ld mirror, in %.2f s\n", rays.camera,
-                    rays.shadow, rays.mirror, seconds);
+        show_or_write(
+            picture, *context, scene.camera, picture_name(picture.scene),
+            [&](const Camera& camera, int width, int height) {
+                Image image;
+                std::tie(image, seconds) =
+                    timed([&] { return renderer->render(camera, width, height, max_bounces); });
+                return image;
+            },
+            live);
+        const RayCounts& rays = renderer->ray_counts();
+        std::printf("rays      %s, in %.2f s\n", in_words(rays).c_str(), seconds);
         if (!picture.json.empty()) {
             write_figures(
                 picture.json, head_of("shading.schema.json", tracing, scene),

@@ -2,6 +2,7 @@
 // load_scene -> build_kd_tree -> pack -> upload -> trace -> show -> write
 #include "render/show_hits.h"
 #include "structure/kd_tree/build_kd_tree.h"
+#include "trace/live_trace.h"
 #include "trace/measure_walks.h"
 #include "trace/trace_picture.h"
 
@@ -42,27 +43,36 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built =
-            build_structure(tracing.structure, scene.corners,
-                            {.reach = camera_reach(picture, scene), .values = tracing.build_values},
-                            {{"kd", kd_tree_over}});
-        const SceneTextures textures = upload(scene, built);
-        TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
-        trace.report_progress(show_progress("tracing"));
+        const Limits limits = measure_limits();
+        std::optional<SceneTextures> textures;
+        std::optional<TraceRays> trace;
+        const auto make = [&] {
+            TraceRays walk(trace_parts(tracing.triangle, tracing.structure, view), limits);
+            const BuiltStructure built = build_structure(
+                tracing.structure, scene.corners,
+                {.reach = camera_reach(picture, scene), .values = tracing.build_values},
+                {{"kd", kd_tree_over}});
+            textures = upload(scene, built);
+            trace = std::move(walk);
+            trace->report_progress(show_progress("tracing"));
+        };
+        make();
         TraceTime time;
         const std::string name = picture_name(picture.scene) + "_" + tracing.structure + "_" + view;
-        show_or_write(picture, *context, scene.camera, name,
-                      [&](const Camera& camera, int width, int height) {
-                          const RayTextures rays =
-                              generate_rays(camera, width, height, RayGeneration::direct);
-                          const auto [hits, seconds] =
-                              timed([&] { return trace.closest_hits(rays, textures); });
-                          time = {static_cast<double>(width) * height, seconds};
-                          return is_heat_map(view)
-                                     ? show_work(*trace.observations(), view, tracing.structure)
-                                     : show_hits(rays, hits, textures, camera, scene.background,
-                                                 find_part("view", view));
-                      });
-        report_trace(picture, tracing, scene, textures, time);
+        show_or_write(
+            picture, *context, scene.camera, name,
+            [&](const Camera& camera, int width, int height) {
+                const RayTextures rays =
+                    generate_rays(camera, width, height, RayGeneration::direct);
+                const auto [hits, seconds] =
+                    timed([&] { return trace->closest_hits(rays, *textures); });
+                time = {static_cast<double>(width) * height, seconds};
+                return is_heat_map(view)
+                           ? show_work(*trace->observations(), view, tracing.structure)
+                           : show_hits(rays, hits, *textures, camera, scene.background,
+                                       find_part("view", view));
+            },
+            live_trace(picture, scene, tracing, view, make));
+        report_trace(picture, tracing, scene, *textures, time);
     });
 }

@@ -1,9 +1,11 @@
 #include "render_effects.h"
 
 #include "render/effects/effects_renderer.h"
+#include "trace/live_trace.h"
 #include "trace/trace_picture.h"
 
 #include <iostream>
+#include <memory>
 #include <tuple>
 
 namespace raysteps {
@@ -60,6 +62,15 @@ private:
     std::optional<EffectsRenderer> renderer_;
 };
 
+// The effects and their reasons, a line each.
+std::vector<std::string> called_for(const Plan& plan) {
+    std::vector<std::string> lines;
+    for (const EffectCall& call : plan.called) {
+        lines.push_back(std::string(row_of(call.effect).name) + ": " + call.reason);
+    }
+    return lines;
+}
+
 Numbers numbers_of(const TraceOptions& tracing, const RendererOfView& view, double seconds) {
     Numbers numbers{{"structure", tracing.structure},
                     {"triangle", tracing.triangle},
@@ -104,25 +115,39 @@ Scene with_samples(Scene scene, const EffectOptions& options) {
 
 void render_effects(const PictureOptions& picture, const TraceOptions& tracing,
                     const EffectOptions& options, Context& context, const Scene& scene) {
-    RendererOfView view(picture, tracing, options, scene);
+    TraceOptions walk = tracing; // a window may change these
+    EffectOptions effects = options;
+    int samples = scene.camera.samples;
+    std::unique_ptr<RendererOfView> view;
+    const auto make = [&] {
+        view = std::make_unique<RendererOfView>(picture, walk, effects, scene);
+    };
+    make();
     if (options.explain) {
-        std::cout << explain(view.plan()) << std::flush;
+        std::cout << explain(view->plan()) << std::flush;
     }
     double seconds = 0.0;
-    show_or_write(picture, context, scene.camera, picture_name(picture.scene),
-                  [&](const Camera& camera, int width, int height) {
-                      Image image;
-                      std::tie(image, seconds) =
-                          timed([&] { return view.render(camera, width, height); });
-                      return image;
-                  });
+    LiveOffer live = live_trace(picture, scene, walk, make);
+    live.choices.push_back(number_choice("mirrors and glass", 'm', {0, 1, 2, 4, 8, 16},
+                                         effects.quality.max_bounces, make));
+    live.choices.push_back(number_choice("rays a pixel", 'n', {1, 4, 16, 64}, samples, [] {}));
+    live.notes = [&] { return called_for(view->plan()); };
+    show_or_write(
+        picture, context, scene.camera, picture_name(picture.scene),
+        [&](Camera camera, int width, int height) {
+            camera.samples = samples;
+            Image image;
+            std::tie(image, seconds) = timed([&] { return view->render(camera, width, height); });
+            return image;
+        },
+        live);
     if (options.explain) {
-        std::cout << explain(view.renderer());
+        std::cout << explain(view->renderer());
     }
-    std::printf("rays      %ld in %.2f s\n", all_rays(view.renderer().tally()), seconds);
+    std::printf("rays      %ld in %.2f s\n", all_rays(view->renderer().tally()), seconds);
     if (!picture.json.empty()) {
-        write_figures(picture.json, head_of("effects.schema.json", tracing, scene),
-                      numbers_of(tracing, view, seconds));
+        write_figures(picture.json, head_of("effects.schema.json", walk, scene),
+                      numbers_of(walk, *view, seconds));
     }
 }
 

@@ -86,7 +86,7 @@ std::string name_of(const Hit& hit) {
 WrongAnswer with_cause(WrongAnswer wrong, const BoxTree& tree, const TreePaths& paths,
                        const Scene& scene, const Ray& ray) {
     if (wrong.right.triangle < 0) {
-        wrong.cause = "the hit is none";
+        wrong.cause = "the ray meets nothing";
         return wrong;
     }
     const LeftOut out =
@@ -103,7 +103,7 @@ WrongAnswer with_cause(WrongAnswer wrong, const BoxTree& tree, const TreePaths& 
         wrong.is_fault = false;
         break;
     case LeftOutBy::nothing:
-        wrong.cause = "the walk comes to it";
+        wrong.cause = "the walk comes to it, and answers otherwise";
         break;
     }
     return wrong;
@@ -182,14 +182,14 @@ double longest_component(const Ray& ray) {
 std::string fault_of(const Hit& given, const Hit& right, const Scene& scene,
                      const AnswerRules& rules, const Ray& ray, double padding) {
     if (given.triangle >= triangle_count(scene) || given.triangle < no_triangle) {
-        return "there is no such triangle";
+        return "the scene has no such triangle";
     }
     if (given.triangle == no_triangle && right.triangle == no_triangle) {
         return "";
     }
     const auto allowed = [&] { return rules.allowed(ray, AnswerRules::Origin::anywhere); };
     if (given.triangle == no_triangle) { // a ray may slip by a border, and not through a surface
-        return allowed().miss ? "" : "it is missed";
+        return allowed().miss ? "" : fmt::format("triangle {} is missed", right.triangle);
     }
     const auto exact_of = [&](int triangle) {
         return exact_intersection(ray, triangle_at(scene, triangle));
@@ -197,10 +197,10 @@ std::string fault_of(const Hit& given, const Hit& right, const Scene& scene,
     const auto at_edge = [](const ExactIntersection& exact) { return exact.margin < edge_share; };
     const ExactIntersection found = exact_of(given.triangle);
     if (!found.hit && !at_edge(found)) {
-        return "the ray does not meet that triangle";
+        return fmt::format("the ray does not meet triangle {}", given.triangle);
     }
     if (!(distance_from(triangle_at(scene, given.triangle), ray, given.t) <= padding)) {
-        return fmt::format("the distance is not that of the triangle, {:.9g}", found.t);
+        return fmt::format("the ray meets triangle {} at {:.9g}", given.triangle, found.t);
     }
     if (right.triangle == no_triangle || right.triangle == given.triangle) {
         return "";
@@ -213,7 +213,7 @@ std::string fault_of(const Hit& given, const Hit& right, const Scene& scene,
     const auto is_given = [&](const AllowedHit& hit) { return hit.triangle == given.triangle; };
     return at_edge(nearest) && std::ranges::any_of(allowed().hits, is_given)
                ? ""
-               : "there is a nearer one";
+               : fmt::format("triangle {} is nearer", right.triangle);
 }
 
 } // namespace
@@ -250,15 +250,20 @@ std::size_t count_faults(const AnswerCheck& check) {
 
 std::string to_table(const AnswerCheck& check) {
     const std::size_t faults = count_faults(check);
-    std::string table = fmt::format(
-        "\nRays: {}, of which {} get a wrong answer and {} slip through a tight box. The loop over "
-        "every triangle judged those, up to {}, and a random sample of {}.\n",
-        readable(static_cast<double>(check.rays)), readable(static_cast<double>(faults)),
-        readable(static_cast<double>(check.wrong.size() - faults)), most_disputed_rays,
-        readable(static_cast<double>(check.judged)));
+    const auto text_of = [](std::size_t number) { return readable(static_cast<double>(number)); };
+    const std::size_t slipped = check.wrong.size() - faults;
+    std::string table =
+        fmt::format("\nOf {} rays {} get a wrong answer{}.\n", text_of(check.rays), text_of(faults),
+                    slipped == 0 ? "" : ", and " + text_of(slipped) + " slip through a tight box");
+    table += fmt::format("  Judged by a loop over every triangle: {}a random sample of {}.\n",
+                         check.wrong.empty()
+                             ? ""
+                             : text_of(std::min(check.wrong.size(), most_disputed_rays)) +
+                                   " of these, and ",
+                         text_of(check.judged));
     if (check.by_rounding > 0) {
         table += fmt::format("  {} more name another triangle that is as near, within rounding.\n",
-                             readable(static_cast<double>(check.by_rounding)));
+                             text_of(check.by_rounding));
     }
     constexpr std::size_t most_told = 10;
     std::size_t told = 0;

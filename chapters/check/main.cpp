@@ -181,9 +181,10 @@ void run_check(const CheckRequest& request) {
     write_figures(request.scene.json, head, figures);
     if (faults > 0) {
         throw Error(ExitCode::check_failed,
-                    "faults found: " + std::to_string(faults) +
-                        ". See the lines above; --why asks for one ray and triangle, and "
-                        "./run.sh view shows the rays of bad.csv.");
+                    "faults found: " + std::to_string(faults) + ". See the lines above; " +
+                        (rays.empty() ? "with --rays it says which go wrong."
+                                      : "--why asks for one ray and triangle, and ./run.sh view "
+                                        "shows the rays of bad.csv."));
     }
     std::cout << "no fault\n";
 }

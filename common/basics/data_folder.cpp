@@ -19,7 +19,20 @@ std::filesystem::path data_folder(const std::filesystem::path& of_sources,
             return installed;
         }
     }
-    return std::filesystem::path(RAYSTEPS_DATA_DIR) / name;
+    return std::filesystem::path(RAYSTEPS_PREFIX) / "share" / "raysteps" / name;
+}
+
+std::filesystem::path helper_program(const std::filesystem::path& built) {
+    std::error_code ignored;
+    if (std::filesystem::exists(built, ignored)) {
+        return built;
+    }
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    const std::filesystem::path beside = own.parent_path() / built.filename();
+    if (std::filesystem::exists(beside, ignored)) {
+        return beside;
+    }
+    return std::filesystem::path(RAYSTEPS_PREFIX) / "lib" / "raysteps" / built.filename();
 }
 
 } // namespace raysteps

@@ -10,4 +10,8 @@ namespace raysteps {
 // the prefix that was configured.
 std::filesystem::path data_folder(const std::filesystem::path& of_sources, const std::string& name);
 
+// A program that this one calls: as it was built; where that is gone, the one of its name beside
+// this one, or in lib/raysteps of the prefix that was configured.
+std::filesystem::path helper_program(const std::filesystem::path& built);
+
 } // namespace raysteps

@@ -6,7 +6,9 @@
 #include "program/output.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
+#include <string_view>
 
 namespace raysteps {
 
@@ -14,15 +16,6 @@ namespace {
 
 constexpr std::uintmax_t most_bytes_of_jobs = 16U << 20U;
 constexpr const char* jobs_name = "jobs.json";
-
-// As one word for a shell.
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char letter : word) {
-        text += letter == '\'' ? "'\\''" : std::string(1, letter);
-    }
-    return text + "'";
-}
 
 // A name of a scene may be a path.
 std::string file_name_of(std::string name) {
@@ -38,19 +31,34 @@ std::string file_name_of(std::string name) {
 
 std::string command_of(const std::vector<std::string>& words, const RunPart& job,
                        const std::filesystem::path& results) {
-    std::string line = "cd " + quoted(std::filesystem::current_path().string()) + " && " +
-                       quoted(std::filesystem::read_symlink("/proc/self/exe").string());
+    std::string line = "cd " + shell_word(std::filesystem::current_path().string()) + " && " +
+                       shell_word(std::filesystem::read_symlink("/proc/self/exe").string());
     std::vector<std::string> all = words;
     all.insert(all.end(), job.options.begin(), job.options.end());
     const std::string place = (results / file_name_of(job.name)).string();
     all.insert(all.end(), {"--out", place, "--json", place + ".json"});
     for (const std::string& word : all) {
-        line += " " + quoted(word);
+        line += " " + shell_word(word);
     }
     return line;
 }
 
 } // namespace
+
+std::string shell_word(const std::string& word) {
+    const auto is_plain = [](char letter) {
+        return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+               std::string_view("_-./:=,+").find(letter) != std::string_view::npos;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
+        return word;
+    }
+    std::string text = "'";
+    for (const char letter : word) {
+        text += letter == '\'' ? "'\\''" : std::string(1, letter);
+    }
+    return text + "'";
+}
 
 void add_job_options(Options& options, JobOptions& jobs) {
     jobs.results = std::filesystem::path("out") / options.program() / "parts";

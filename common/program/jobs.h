@@ -10,6 +10,10 @@
 
 namespace raysteps {
 
+// A word as a shell takes it for one: in quotes where it holds more than letters, digits and a few
+// signs.
+std::string shell_word(const std::string& word);
+
 // A part of a run that does not depend on the others: its name, and the options that ask for it
 // alone.
 struct RunPart {

@@ -68,19 +68,28 @@ void add_build_options(Options& options, std::map<std::string, std::string>& val
     }
 }
 
-void add_view_option(Options& options, std::string& view, const TraceOptions& tracing) {
+std::vector<std::string> view_names() {
     std::vector<std::string> views = part_names("view");
     views.insert(views.end(), {"visits", "tests"});
-    options.choice("--view", view, "what to show of the hits, or a heat map of the work", views);
+    return views;
+}
+
+void refuse_empty_heat_map(const std::string& view, const TraceOptions& tracing) {
+    if (view == "visits" && tracing.structure == "every_triangle") {
+        throw InputError("--view visits: the loop over every triangle visits no cells. Take "
+                         "--view tests, or another --structure.");
+    }
+}
+
+void add_view_option(Options& options, std::string& view, const TraceOptions& tracing) {
+    options.choice("--view", view, "what to show of the hits, or a heat map of the work",
+                   view_names());
     options.check([&] {
-        if (view != "visits" || tracing.structure != "every_triangle") {
-            return;
-        }
         if (options.given("--view")) {
-            throw InputError("--view visits: the loop over every triangle visits no cells. Take "
-                             "--view tests, or another --structure.");
+            refuse_empty_heat_map(view, tracing);
+        } else if (view == "visits" && tracing.structure == "every_triangle") {
+            view = "tests";
         }
-        view = "tests";
     });
 }
 

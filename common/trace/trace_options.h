@@ -33,6 +33,12 @@ void add_walk_options(Options& options, TraceOptions& tracing);
 // The options of all builders by themselves, --tree among them.
 void add_build_options(Options& options, std::map<std::string, std::string>& values);
 
+// What there is to see of a picture: the parts of shaders/view, then `visits` and `tests`.
+std::vector<std::string> view_names();
+
+// Throws InputError where the view is of visits, and the walk visits nothing.
+void refuse_empty_heat_map(const std::string& view, const TraceOptions& tracing);
+
 // --view: a part of shaders/view, or the heat map of what a walk through the structure did: its
 // visits (cells or nodes) or its tests (triangles). Of the loop over every triangle, which visits
 // nothing, the heat map is that of its tests.

@@ -19,7 +19,10 @@ tr.right td:nth-child(3) { background: #2a9d4a30 } code { font-size: 13px; overf
 
 
 def git(*words):
-    run = subprocess.run(["git", "-C", ROOT, *words], capture_output=True, text=True, check=False)
+    try:
+        run = subprocess.run(["git", "-C", ROOT, *words], capture_output=True, text=True, check=False)
+    except OSError:  # an installed suite needs no git
+        return ""
     return run.stdout.strip() if run.returncode == 0 else ""
 
 

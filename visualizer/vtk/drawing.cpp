@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <vtkCamera.h>
 
+#include <algorithm>
+
 namespace raysteps::view {
 
 namespace {
@@ -62,6 +64,14 @@ std::vector<glm::vec3> some_triangles(const std::vector<glm::vec3>& corners) {
 glm::vec3 to_glm(const double* point) {
     return {static_cast<float>(point[0]), static_cast<float>(point[1]),
             static_cast<float>(point[2])};
+}
+
+// The size of letters with which a sheet is as high as that, or lower.
+int sheet_size(const std::string& text, int height) {
+    constexpr int usual = 14;
+    constexpr double line_of_size = 1.17; // the height of a line over the size of its letters
+    const auto lines = static_cast<double>(std::count(text.begin(), text.end(), '\n') + 1);
+    return std::clamp(static_cast<int>(height / (line_of_size * lines)), 6, usual);
 }
 
 } // namespace
@@ -143,8 +153,9 @@ std::vector<DrawnPane> Drawing::draw(const Stage& stage, const State& state) {
     draw_side(*side_, layout_, stage, state, drawn);
     draw_bottom(*bottom_, layout_, stage, state);
     if (state.help) {
-        write(*sheet_, help_text(state), {60, state.window.y - 60},
-              {.size = 14, .font = Font::code, .boxed = true});
+        const std::string text = help_text(state);
+        write(*sheet_, text, {60, state.window.y - 60},
+              {.size = sheet_size(text, state.window.y - 80), .font = Font::code, .boxed = true});
     }
     return drawn;
 }

@@ -17,6 +17,25 @@ constexpr double zoom = 1.1;
 constexpr double zoom_powers_a_window = 20.0;
 constexpr double zoom_powers_a_notch = 2.0;
 
+// So many pixels may the mouse slip during a click.
+constexpr double click_room = 3.0;
+
+bool is_over_panel(const Controls& controls, const glm::dvec2& place) {
+    const Covered& panel = controls.panel;
+    return controls.help && place.x >= panel.from.x && place.y >= panel.from.y &&
+           place.x < panel.to.x && place.y < panel.to.y;
+}
+
+// One move after another is one.
+void tell_panel(Controls& controls, const PanelEvent& event) {
+    std::vector<PanelEvent>& events = controls.panel_events;
+    if (event.only_moves && !events.empty() && events.back().only_moves) {
+        events.pop_back();
+    }
+    events.push_back(event);
+    controls.must_redraw = true;
+}
+
 double angle_about_middle(const glm::dvec2& place, const glm::dvec2& window_size) {
     return std::atan2(0.5 * window_size.y - place.y, place.x - 0.5 * window_size.x);
 }
@@ -83,14 +102,41 @@ Controls start_controls(const Camera& start) {
     return controls;
 }
 
+const std::vector<ControlLine>& control_lines() {
+    static const std::vector<ControlLine> lines{
+        {0, "left mouse", "turn the scene"},  {0, "shift left, middle", "move it"},
+        {0, "right, wheel", "zoom"},          {0, "control left", "tilt"},
+        {'r', "R", "back to the first view"}, {'s', "S", "save the picture"},
+        {'c', "C", "print the camera"},       {'h', "H", "hide this panel"},
+        {'q', "Q, Escape", "close"},
+    };
+    return lines;
+}
+
 // Of two buttons held, the one pressed last drags.
 Controls press_button(Controls controls, Button button, const Modifiers& modifiers) {
+    if (is_over_panel(controls, controls.cursor)) {
+        controls.on_panel = controls.on_panel || button == Button::left;
+        tell_panel(controls, {controls.cursor, controls.on_panel});
+        return controls;
+    }
     controls.held = button;
     controls.motion = motion_of(button, modifiers);
+    controls.pressed_at = controls.cursor;
     return controls;
 }
 
 Controls release_button(Controls controls, Button button) {
+    if (controls.on_panel && button == Button::left) {
+        controls.on_panel = false;
+        tell_panel(controls, {controls.cursor, false});
+        return controls;
+    }
+    const glm::dvec2 slipped = glm::abs(controls.cursor - controls.pressed_at);
+    if (button == Button::left && controls.motion == Motion::orbit &&
+        std::max(slipped.x, slipped.y) <= click_room) {
+        controls.clicked = controls.cursor;
+    }
     if (controls.held == button) {
         controls.held.reset();
         controls.motion = Motion::none;
@@ -102,15 +148,22 @@ Controls move_cursor(Controls controls, const glm::dvec2& place) {
     move_camera(controls, drag(controls.camera, controls.motion, controls.cursor, place,
                                controls.window_size));
     controls.cursor = place;
+    if (controls.help && controls.motion == Motion::none) {
+        tell_panel(controls, {place, controls.on_panel, 0.0, true});
+    }
     return controls;
 }
 
 Controls scroll(Controls controls, double notches) {
+    if (is_over_panel(controls, controls.cursor)) {
+        tell_panel(controls, {controls.cursor, controls.on_panel, notches});
+        return controls;
+    }
     move_camera(controls, turn_wheel(controls.camera, notches));
     return controls;
 }
 
-Controls press_key(Controls controls, char letter) {
+Controls press_key(Controls controls, char letter, bool shift) {
     switch (letter) {
     case 'h':
         controls.help = !controls.help;
@@ -129,6 +182,7 @@ Controls press_key(Controls controls, char letter) {
         controls.close = true;
         break;
     default:
+        controls.choice_keys.push_back({letter, shift});
         break;
     }
     return controls;

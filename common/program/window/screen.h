@@ -61,18 +61,6 @@ Frame render_frame(const RenderPicture& render, const Sight& sight, int coarsene
 // it has in PNG files too.
 Texture screen_texture(const Image& image);
 
-// A rectangle of the window's pixels; left and bottom are those of its lower left corner.
-struct ScreenPlace {
-    int left = 0;
-    int bottom = 0;
-    int width = 0;
-    int height = 0;
-};
-
-// Where a picture lies near the window's upper left corner: so many times its size, or smaller
-// where the window is too small for it. The window has at least one pixel.
-ScreenPlace overlay_place(const Image& overlay, double scale, int window_width, int window_height);
-
 // Draws pictures to the window. Owns OpenGL objects.
 class Screen {
 public:
@@ -81,17 +69,13 @@ public:
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    // Magnified to fill the place, and encoded in sRGB. The opacity is 1 where nothing shines
-    // through.
-    void draw(const Texture& picture, const ScreenPlace& place, float opacity);
+    // Magnified to fill a window of so many pixels, and encoded in sRGB.
+    void draw(const Texture& picture, int width, int height);
 
 private:
     Program program_;
     GLuint vertices_ = 0; // core OpenGL draws nothing without one, even where no vertex has data
 };
-
-// What mouse and keys do, as a picture to be laid over another one.
-Image help_picture();
 
 // NAME-1.png, or NAME-2.png where that is there already, and so on: the first that is free.
 std::filesystem::path screenshot_path(const std::filesystem::path& name);

@@ -1,5 +1,6 @@
 #include "scene/import/load_import.h"
 
+#include "basics/data_folder.h"
 #include "basics/error.h"
 #include "basics/file.h"
 #include "scene/import/mesh_file.h"
@@ -70,7 +71,7 @@ std::string reason_of(int status) {
 
 // Runs the importer and waits for it; its answer is in the file then.
 int run_importer(const fs::path& model, const std::string& answer) {
-    const std::string program = RAYSTEPS_IMPORTER;
+    const std::string program = helper_program(RAYSTEPS_IMPORTER).string();
     const std::string named = fs::absolute(model).string();
     std::array<char*, 4> arguments{const_cast<char*>(program.c_str()),
                                    const_cast<char*>(named.c_str()),
@@ -86,7 +87,7 @@ int run_importer(const fs::path& model, const std::string& answer) {
     posix_spawn_file_actions_destroy(&files);
     if (failure != 0) {
         throw MachineError(program + ": the importer cannot be started (" + std::strerror(failure) +
-                           "). Build Raysteps again.");
+                           "). Build or install Raysteps again.");
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

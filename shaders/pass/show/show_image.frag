@@ -1,9 +1,8 @@
 #version 410 core
-// A picture on the screen: magnified to its place there, and encoded in sRGB.
+// A picture on the screen: magnified to fill it, and encoded in sRGB.
 
 uniform sampler2D picture; // linear, components in [0, 1]
-uniform vec2 corner;       // the lower left one of the place, in pixels of the screen
-uniform vec2 size;         // of the place, in pixels
+uniform vec2 size;         // of the screen, in pixels
 
 out vec4 color;
 
@@ -29,5 +28,5 @@ vec3 srgb_from_linear(vec3 linear) {
 
 void main() {
     vec2 texels_a_pixel = vec2(textureSize(picture, 0)) / size;
-    color = vec4(srgb_from_linear(magnified((gl_FragCoord.xy - corner) * texels_a_pixel)), 1.0);
+    color = vec4(srgb_from_linear(magnified(gl_FragCoord.xy * texels_a_pixel)), 1.0);
 }

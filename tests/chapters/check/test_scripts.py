@@ -17,6 +17,8 @@ sys.path.append(str(ROOT / "scripts" / "trees"))
 from tree_file import Array, read_tree_file, tree_file_bytes  # noqa: E402
 
 CHECK = os.environ["RAYSTEPS_CHECK"]
+# The engine is called very often, and needs no packages.
+PYTHON = f"{sys.executable} -I -S"
 
 # Eight triangles side by side along x, each one wide.
 COUNT = 8
@@ -169,7 +171,7 @@ class ScriptsTest(unittest.TestCase):
             "origin_x,origin_y,origin_z,direction_x,direction_y,direction_z,t_min,t_max\n"
             "2.3,0.3,3,0,0,-1,0,1e30\n5.3,0.3,3,0,0,-1,0,1e30\n")
         return self.run_script("shrink", "--check", CHECK, "--scene", "model.obj", "--rays", "rays.csv", "--out", "out",
-                               "--command", f"{sys.executable} engine.py %m %r %h {bug}", *words)
+                               "--command", f"{PYTHON} engine.py %m %r %h {bug}", *words)
 
     def test_a_wrong_answer_is_reduced_to_the_triangles_that_it_takes(self):
         run = self.shrink("lose")
@@ -179,7 +181,7 @@ class ScriptsTest(unittest.TestCase):
         model = (self.folder / "out" / "shrunk.obj").read_text()
         self.assertEqual((model.count("v "), model.count("f ")), (6, 2))
         for bug, code in (("lose", 1), ("none", 0)):
-            test = subprocess.run([sys.executable, "out/test_case.py", f"{sys.executable} engine.py %m %r %h {bug}"],
+            test = subprocess.run([sys.executable, "out/test_case.py", f"{PYTHON} engine.py %m %r %h {bug}"],
                                   cwd=self.folder, capture_output=True, text=True, check=False)
             self.assertEqual(test.returncode, code, test.stdout + test.stderr)
         again = self.shrink("lose")

@@ -70,3 +70,46 @@ TEST_CASE("Q closes and other letters do nothing", "[window]") {
         CHECK(same.camera.eye == controls.camera.eye);
     }
 }
+
+TEST_CASE("other letters are for what a window offers, in their order", "[window]") {
+    const Controls controls = press_key(press_key(controls_of_400x200(), 'w'), 'v', true);
+    REQUIRE(controls.choice_keys.size() == 2);
+    CHECK((controls.choice_keys[0].letter == 'w' && !controls.choice_keys[0].shift));
+    CHECK((controls.choice_keys[1].letter == 'v' && controls.choice_keys[1].shift));
+}
+
+TEST_CASE("a click is a press and a release of the left button at one place", "[window]") {
+    const Controls pressed = press_button(controls_of_400x200(), Button::left, {});
+    const Controls clicked = release_button(move_cursor(pressed, {102.0, 99.0}), Button::left);
+    REQUIRE(clicked.clicked);
+    CHECK(*clicked.clicked == glm::dvec2(102.0, 99.0));
+    CHECK_FALSE(release_button(move_cursor(pressed, {104.0, 100.0}), Button::left).clicked);
+    const Controls shifted = press_button(controls_of_400x200(), Button::left, {.shift = true});
+    CHECK_FALSE(release_button(shifted, Button::left).clicked);
+}
+
+TEST_CASE("over the panel the mouse is the panel's, until its button is released", "[window]") {
+    Controls controls = press_key(controls_of_400x200(), 'h');
+    controls.panel = {{50.0, 50.0}, {150.0, 150.0}};
+    controls = press_button(controls, Button::left, {});
+    controls = move_cursor(move_cursor(controls, {120.0, 100.0}), {300.0, 20.0});
+    controls = release_button(controls, Button::left);
+    CHECK(controls.camera.eye == Camera{}.eye);
+    CHECK_FALSE(controls.clicked);
+    REQUIRE(controls.panel_events.size() == 3); // of two moves the last
+    CHECK(controls.panel_events[0].pressed);
+    CHECK(controls.panel_events[1].place == glm::dvec2(300.0, 20.0));
+    CHECK(controls.panel_events[1].pressed);
+    CHECK_FALSE(controls.panel_events[2].pressed);
+    // The wheel there is the panel's too, and beside it the camera's.
+    CHECK(scroll(move_cursor(controls, {60.0, 60.0}), 1.0).camera.eye == Camera{}.eye);
+    CHECK(scroll(controls, 1.0).camera.eye != Camera{}.eye);
+}
+
+TEST_CASE("each letter of the panel's lines is a key", "[window]") {
+    for (const ControlLine& line : control_lines()) {
+        if (line.letter != 0) {
+            CHECK(press_key(controls_of_400x200(), line.letter).choice_keys.empty());
+        }
+    }
+}

@@ -8,7 +8,6 @@
 #include "program/window/screen.h"
 
 #include <glm/geometric.hpp>
-#include <rapidcheck.h>
 
 #include <limits>
 
@@ -24,9 +23,7 @@ std::vector<glm::vec4> shown(const Image& image, int width, int height) {
     const Texture picture = screen_texture(image);
     const Texture target(TexelFormat::rgba32f, width, height);
     Program program("pass/show/show_image.frag");
-    program.set("picture", picture)
-        .set("corner", glm::vec2(0.0f))
-        .set("size", glm::vec2(width, height));
+    program.set("picture", picture).set("size", glm::vec2(width, height));
     draw(program, {.textures = {target}});
     return read_floats(target);
 }
@@ -74,23 +71,4 @@ TEST_CASE("what a screen cannot show becomes what a PNG file has", "[window]") {
     const std::vector<glm::vec4> texels = read_floats(screen_texture(image));
     CHECK(texels[0] == glm::vec4(1.0f, 0.0f, 1.0f, 1.0f));
     CHECK(texels[1] == glm::vec4(nan_color, 1.0f));
-}
-
-TEST_CASE("the help fits a window of the size that opens unless asked otherwise", "[window]") {
-    const Image help = help_picture();
-    const ScreenPlace place = overlay_place(help, 1.0, 512, 512);
-    CHECK(place.width == help.width);
-    CHECK(place.height == help.height);
-}
-
-TEST_CASE("the help lies inside every window", "[window]") {
-    const Image help = help_picture();
-    REQUIRE(rc::check("inside", [&] {
-        const int width = *rc::gen::inRange(1, 3000);
-        const int height = *rc::gen::inRange(1, 3000);
-        const ScreenPlace place = overlay_place(help, *rc::gen::inRange(1, 4), width, height);
-        RC_ASSERT(place.left >= 0 && place.bottom >= 0 && place.width >= 1 && place.height >= 1);
-        RC_ASSERT(place.left + place.width <= width);
-        RC_ASSERT(place.bottom + place.height <= height);
-    }));
 }

@@ -113,6 +113,7 @@ pixel() {
   od -An -tu1 -j $((start + $(big_endian "$file" 48) * $2 + 4 * $1)) -N 3 "$file" | tr -s ' '
 }
 pixel_is() { [ "$(pixel "$1" "$2")" = " $3" ]; }
+pixel_is_not() { ! pixel_is "$@"; }
 
 shows_the_picture() {
   start_program
@@ -196,6 +197,50 @@ shows_help() {
   screen_is "$with" || fail "a screenshot hides the help"
   xdotool key h
   wait_running_until "the picture without the help" screen_is "$without"
+  xdotool key q
+  end_with 0
+}
+
+says() { grep -qxh -- "$1" "$folder/stdout" "$folder/stderr"; }
+
+changes_what_is_shown() {
+  start_program live
+  wait_running_until "a red ball" pixel_is 160 120 "63 124 255"
+  xdotool key b
+  wait_running_until "a green ball" pixel_is 160 120 "124 255 63"
+  # The third word cannot be taken: the key goes on to the first.
+  xdotool key b
+  wait_running_until "a red ball again" pixel_is 160 120 "63 124 255"
+  says "There is no such ball. Take another." || fail "it is not said what cannot be"
+  xdotool key shift+b
+  wait_running_until "the word before" pixel_is 160 120 "124 255 63"
+  : >"$folder/sky.bad"
+  xdotool key F5
+  wait_running_until "what is wrong with a shader" says "sky.glsl:12: syntax error"
+  rm "$folder/sky.bad"
+  xdotool key F5
+  wait_running_until "the shaders" says "now       with the shaders as they are now"
+  xdotool mousemove 100 80 click 1
+  wait_running_until "the command of a pixel" says "view      show 100,80"
+  save 1
+  drag 1 240 90
+  [ "$(grep -c '^view ' "$folder/stdout")" -eq 1 ] || fail "a drag is taken for a click"
+  xdotool key q
+  end_with 0
+}
+
+has_a_panel() {
+  start_program live
+  save 1
+  xdotool key h mousemove 80 50 click 1 # the list of the balls
+  wait_running_until "the panel" pixel_is_not 160 120 "63 124 255"
+  xdotool mousemove 60 94 click 1 # its second word
+  wait_running_until "another ball" says "now       ball green"
+  xdotool mousemove 60 100 mousedown 1 mousemove 90 110 mouseup 1
+  save 2
+  xdotool key h
+  wait_running_until "a green ball" pixel_is 160 120 "124 255 63"
+  ! says "view .*" || fail "a click on the panel is taken for one on the picture"
   xdotool key q
   end_with 0
 }

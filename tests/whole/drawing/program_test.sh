@@ -155,6 +155,13 @@ steps_with_keys() {
   save 5
   has 5 '"table":false'
   has 5 '"show":"tested"'
+  # On from the last step, round: to the hit's test. Its cell is marked, then its parent.
+  xdotool key Home a Return
+  save 6
+  ! tr -d ' \n' <"$(state_file 6)" | grep -q -e '"selected":-1' -e '"step":0' || fail "Return marks no cell"
+  xdotool key ctrl+Up Home g
+  save 7
+  [ "$(grep selected "$(state_file 6)")" != "$(grep selected "$(state_file 7)")" ] || fail "Ctrl+Up marks the same cell"
   quit
 }
 
@@ -168,6 +175,13 @@ picks_with_the_mouse() {
   xdotool mousemove 240 260 keydown shift click 1 keyup shift
   save 3
   ! tr -d ' \n' <"$(state_file 3)" | grep -q '"selected":-1' || fail "Shift and a click select nothing"
+  has 3 '"why":-1'
+  xdotool mousemove 240 260 keydown ctrl click 1 keyup ctrl
+  save 4
+  ! tr -d ' \n' <"$(state_file 4)" | grep -q '"why":-1' || fail "Ctrl and a click ask nothing"
+  xdotool key m
+  save 5
+  has 5 '"why":-1'
   quit
 }
 

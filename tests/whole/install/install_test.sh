@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # install_test.sh library BUILD: a small program is built against what `cmake --install` puts into a folder.
-# install_test.sh package BUILD: the Debian package that CPack makes is unpacked, and its programs run.
+# install_test.sh package BUILD: the Debian package that CPack makes is unpacked, and its programs run where neither
+# sources nor build are to be found.
 # install_test.sh python SOURCES: the module of Python is built and asked. 77 where pybind11 is missing.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -15,13 +16,31 @@ library)
   "$folder/build/consumer"
   ;;
 package)
+  build=$(cd "$2" && pwd)
   cpack --config "$2/CPackConfig.cmake" -G DEB -B "$folder" >/dev/null
   dpkg-deb --extract "$folder"/raysteps_*.deb "$folder/root"
   cd "$folder"
-  root/usr/bin/raysteps --version
-  root/usr/bin/raysteps check --scene compact:2 --export own.rstree
-  root/usr/bin/raysteps check --scene compact:2 --tree own.rstree
-  root/usr/bin/raysteps trees to_npz own.rstree own.npz
+  sources=$(cd "$here/../../.." && pwd)
+  raysteps() {
+    bwrap --dev-bind / / --tmpfs "$sources" --tmpfs "$build" --bind "$folder" "$folder" --chdir "$folder" \
+      root/usr/bin/raysteps "$@"
+  }
+  bwrap --dev-bind / / true 2>/dev/null || exit 77
+  raysteps --version
+  raysteps check --scene compact:2 --export own.rstree
+  raysteps check --scene compact:2 --tree own.rstree
+  raysteps trees to_npz own.rstree own.npz
+  raysteps 06 --scene compact:2 --tree own.rstree --size 32
+  # A model that another program of the package reads.
+  printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >one.stl
+  raysteps 03 --scene one.stl --size 32
+  for family in root/usr/share/raysteps/docs/conformance/suite/*; do [ -e "$family" ]; done
+  raysteps conformance --help >help
+  [ ! -e root/usr/lib/raysteps/visualizer ] || raysteps view compact:2 --pixel 200,200 --screenshot view.png
+  # Where its own data are gone too, it says which.
+  mv root/usr/share/raysteps/shaders root/usr/share/raysteps/elsewhere
+  ! raysteps 06 --scene compact:2 --size 32 2>said || exit 1
+  grep -q 'shaders' said
   ;;
 python)
   # That of the distribution has its NumPy; another one may come first in the path.

@@ -45,7 +45,7 @@ class ModuleTest(unittest.TestCase):
         right = raysteps.judge(TRIANGLES, RAYS, np.float32([13, 0]), np.int32([7, -1]))
         self.assertEqual(right["wrong"], 0)
         wrong = raysteps.judge(TRIANGLES, RAYS, np.float32([14, 0]), np.int32([6, -1]))
-        self.assertEqual(wrong["first_wrong"][0]["cause"], "there is a nearer one")
+        self.assertEqual(wrong["first_wrong"][0]["cause"], "triangle 7 is nearer")
 
     def test_a_tree_is_written_and_read(self):
         tree = raysteps.build(TRIANGLES)

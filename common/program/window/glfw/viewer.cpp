@@ -2,6 +2,7 @@
 #include "image/image_file.h"
 #include "program/show.h"
 #include "program/window/controls.h"
+#include "program/window/panel.h"
 #include "program/window/screen.h"
 #include "scene/camera_text.h"
 
@@ -18,6 +19,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace raysteps {
 
@@ -67,7 +69,7 @@ void on_scroll(GLFWwindow* window, double, double notches) {
     controls = scroll(controls, notches);
 }
 
-void on_key(GLFWwindow* window, int key, int scan_code, int action, int) {
+void on_key(GLFWwindow* window, int key, int scan_code, int action, int modifiers) {
     // A key that is held down repeats itself, which no key here is meant to do.
     if (action != GLFW_PRESS) {
         return;
@@ -77,9 +79,13 @@ void on_key(GLFWwindow* window, int key, int scan_code, int action, int) {
         controls = press_key(controls, 'q');
         return;
     }
+    if (key == GLFW_KEY_F5) {
+        controls.read_shaders = true;
+        return;
+    }
     // GLFW numbers keys by their place on an American keyboard; the name is what is printed on it.
     if (const char* name = glfwGetKeyName(key, scan_code)) {
-        controls = press_key(controls, name[0]);
+        controls = press_key(controls, name[0], (modifiers & GLFW_MOD_SHIFT) != 0);
     }
 }
 
@@ -144,7 +150,7 @@ EventConnection::~EventConnection() {
 class Viewer {
 public:
     Viewer(GLFWwindow* window, const Camera& start, const std::filesystem::path& screenshot,
-           const RenderPicture& render);
+           const RenderPicture& render, LiveOffer offer);
 
     // Until the window is closed.
     void run();
@@ -152,10 +158,17 @@ public:
 private:
     void wait_for_events() const;
     void look_what_is_wanted();
+    void follow_keys();
+    void take_word(std::size_t choice, std::size_t word);
+    void take_next_word(LiveChoice& choice, bool backwards);
+    bool try_change(const std::string& what, const std::function<void()>& change);
+    void read_shaders();
+    void name_clicked_pixel();
     void refine_picture();
     void save_picture();
     void print_camera();
     void redraw();
+    void draw_panel();
 
     int shown_coarseness() const;
     double seconds_to_wait() const;
@@ -165,19 +178,24 @@ private:
     GLFWwindow* window_;
     std::filesystem::path screenshot_;
     const RenderPicture& render_;
+    LiveOffer offer_;
     Controls controls_;
     EventConnection connection_;
     Screen screen_;
-    Image help_;
-    Texture help_texture_;
+    std::optional<Panel> panel_; // once it was asked for
+    std::vector<float> milliseconds_;
+    std::string problem_; // that the panel shows
+    std::string command_;
     Sight wanted_;
     Clock::time_point last_change_; // of what is wanted
     Frame frame_;
     std::optional<Texture> frame_texture_;
     int affordable_ = first_coarseness;
+    bool has_failed_ = false; // to render what is wanted
+    bool is_asked_ = false;   // by the panel, for something to be done before events come
 };
 
-constexpr float help_opacity = 0.85f;
+constexpr std::size_t most_milliseconds = 120; // of the panel's plot
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -192,9 +210,9 @@ double text_scale(GLFWwindow* window) {
 }
 
 Viewer::Viewer(GLFWwindow* window, const Camera& start, const std::filesystem::path& screenshot,
-               const RenderPicture& render)
-    : window_(window), screenshot_(screenshot), render_(render), controls_(start_controls(start)),
-      connection_(window, controls_), help_(help_picture()), help_texture_(screen_texture(help_)) {
+               const RenderPicture& render, LiveOffer offer)
+    : window_(window), screenshot_(screenshot), render_(render), offer_(std::move(offer)),
+      controls_(start_controls(start)), connection_(window, controls_) {
     write_title();
     look_what_is_wanted();
 }
@@ -203,6 +221,7 @@ void Viewer::run() {
     while (!controls_.close) {
         wait_for_events();
         look_what_is_wanted();
+        follow_keys();
         save_picture();
         print_camera();
         refine_picture();
@@ -211,7 +230,7 @@ void Viewer::run() {
 }
 
 void Viewer::wait_for_events() const {
-    const double seconds = seconds_to_wait();
+    const double seconds = is_asked_ ? 0.0 : seconds_to_wait();
     if (seconds == 0.0) {
         glfwPollEvents();
     } else if (std::isinf(seconds)) {
@@ -230,6 +249,87 @@ void Viewer::look_what_is_wanted() {
     }
 }
 
+// A letter that takes the next word of a choice.
+void Viewer::follow_keys() {
+    for (const ChoiceKey& key : std::exchange(controls_.choice_keys, {})) {
+        for (LiveChoice& choice : offer_.choices) {
+            if (choice.key == key.letter) {
+                take_next_word(choice, key.shift);
+            }
+        }
+    }
+    if (std::exchange(controls_.read_shaders, false)) {
+        read_shaders();
+    }
+    name_clicked_pixel();
+}
+
+// The one after it, where that cannot be.
+void Viewer::take_next_word(LiveChoice& choice, bool backwards) {
+    const auto number = static_cast<std::size_t>(&choice - offer_.choices.data());
+    const std::size_t count = choice.words.size();
+    const std::size_t before = choice.chosen;
+    std::size_t word = before;
+    do {
+        word = (word + (backwards ? count - 1 : 1)) % count;
+        take_word(number, word);
+    } while (choice.chosen == before && word != before);
+}
+
+void Viewer::take_word(std::size_t number, std::size_t word) {
+    LiveChoice& choice = offer_.choices[number];
+    const std::string& name = choice.words[word];
+    if (try_change(choice.name + " " + name, [&] { choice.take(name); })) {
+        choice.chosen = word;
+    }
+}
+
+// Where a change cannot be made, the window says so and stays as it is.
+bool Viewer::try_change(const std::string& what, const std::function<void()>& change) {
+    controls_.must_redraw = true;
+    try {
+        change();
+    } catch (const Error& error) {
+        problem_ = error.what();
+        std::cerr << problem_ << "\n";
+        return false;
+    }
+    std::cout << "now       " << what << "\n" << std::flush;
+    problem_.clear();
+    milliseconds_.clear();
+    frame_.coarseness = 0;
+    affordable_ = first_coarseness;
+    return true;
+}
+
+void Viewer::read_shaders() {
+    if (offer_.read_shaders) {
+        try_change("with the shaders as they are now", offer_.read_shaders);
+    }
+}
+
+// Prints the command that shows the clicked pixel's ray, and copies it for other windows.
+void Viewer::name_clicked_pixel() {
+    const std::optional<glm::dvec2> place = std::exchange(controls_.clicked, std::nullopt);
+    if (!place || !offer_.view_command || is_empty(wanted_)) {
+        return;
+    }
+    // A heat map's picture has a legend below.
+    const glm::dvec2 part = *place / glm::max(controls_.window_size, glm::dvec2(1.0));
+    const double rows = frame_.coarseness == 1 ? frame_.image.height : wanted_.height;
+    const SeenPixel pixel{wanted_.camera, wanted_.width, wanted_.height,
+                          static_cast<int>(part.x * wanted_.width),
+                          static_cast<int>(part.y * rows)};
+    if (pixel.column < 0 || pixel.row < 0 || pixel.column >= pixel.width ||
+        pixel.row >= pixel.height) {
+        return;
+    }
+    command_ = offer_.view_command(pixel);
+    glfwSetClipboardString(window_, command_.c_str());
+    std::cout << "view      " << command_ << "\n" << std::flush;
+    controls_.must_redraw = true;
+}
+
 void Viewer::save_picture() {
     if (!controls_.camera_to_save || is_empty(wanted_)) {
         return;
@@ -238,6 +338,10 @@ void Viewer::save_picture() {
     sight.camera = *std::exchange(controls_.camera_to_save, std::nullopt);
     if (frame_.coarseness != 1 || !same_sight(frame_.sight, sight)) {
         take(render_frame(render_, sight, 1));
+    }
+    if (has_failed_) {
+        std::cerr << problem_ << "\n";
+        return;
     }
     const std::filesystem::path path = screenshot_path(screenshot_);
     try {
@@ -258,7 +362,22 @@ void Viewer::print_camera() {
 
 void Viewer::refine_picture() {
     if (!controls_.close && seconds_to_wait() == 0.0) {
-        take(render_frame(render_, wanted_, next_coarseness(shown_coarseness(), affordable_)));
+        const int coarseness = next_coarseness(shown_coarseness(), affordable_);
+        if (!offer_.read_shaders) {
+            take(render_frame(render_, wanted_, coarseness));
+            return;
+        }
+        // A shader that does not compile is told where it is used first: the last picture stays.
+        try {
+            take(render_frame(render_, wanted_, coarseness));
+        } catch (const Error& error) {
+            problem_ = error.what();
+            std::cerr << problem_ << "\n";
+            frame_.sight = wanted_;
+            frame_.coarseness = 1;
+            has_failed_ = true;
+            controls_.must_redraw = true;
+        }
     }
 }
 
@@ -267,13 +386,36 @@ void Viewer::redraw() {
         return;
     }
     controls_.must_redraw = false;
-    screen_.draw(*frame_texture_, {.width = wanted_.width, .height = wanted_.height}, 1.0f);
+    is_asked_ = false;
+    screen_.draw(*frame_texture_, wanted_.width, wanted_.height);
     if (controls_.help) {
-        const ScreenPlace place =
-            overlay_place(help_, text_scale(window_), wanted_.width, wanted_.height);
-        screen_.draw(help_texture_, place, help_opacity);
+        draw_panel();
     }
     glfwSwapBuffers(window_);
+}
+
+void Viewer::draw_panel() {
+    if (!panel_) {
+        panel_.emplace(text_scale(window_));
+    }
+    const PanelContent content{.choices = offer_.choices,
+                               .reads_shaders = static_cast<bool>(offer_.read_shaders),
+                               .milliseconds = milliseconds_,
+                               .notes = offer_.notes ? offer_.notes() : std::vector<std::string>{},
+                               .problem = problem_,
+                               .command = command_};
+    const PanelWishes wishes = panel_->draw(content, std::exchange(controls_.panel_events, {}),
+                                            glm::max(controls_.window_size, glm::dvec2(1.0)),
+                                            {wanted_.width, wanted_.height});
+    controls_.panel = panel_->covered();
+    for (const PanelWishes::Word& wish : wishes.words) {
+        take_word(wish.choice, wish.word);
+    }
+    for (const char letter : wishes.letters) {
+        controls_ = press_key(controls_, letter);
+    }
+    controls_.read_shaders = controls_.read_shaders || wishes.read_shaders;
+    is_asked_ = !wishes.words.empty() || !wishes.letters.empty() || wishes.read_shaders;
 }
 
 int Viewer::shown_coarseness() const {
@@ -289,8 +431,14 @@ double Viewer::seconds_to_wait() const {
 
 void Viewer::take(Frame frame) {
     frame_ = std::move(frame);
+    has_failed_ = false;
     frame_texture_ = screen_texture(frame_.image);
     affordable_ = affordable_coarseness(frame_.coarseness, frame_.seconds);
+    if (milliseconds_.size() == most_milliseconds) {
+        milliseconds_.erase(milliseconds_.begin());
+    }
+    milliseconds_.push_back(
+        static_cast<float>(1000.0 * frame_.seconds * frame_.coarseness * frame_.coarseness));
     controls_.must_redraw = true;
     if (frame_.coarseness == 1) {
         write_title();
@@ -310,8 +458,9 @@ void Viewer::write_title() {
 } // namespace
 
 void show_in_window(WindowContext& context, const Camera& start,
-                    const std::filesystem::path& screenshot, const RenderPicture& render) {
-    Viewer(context.window(), start, screenshot, render).run();
+                    const std::filesystem::path& screenshot, const RenderPicture& render,
+                    LiveOffer offer) {
+    Viewer(context.window(), start, screenshot, render, std::move(offer)).run();
 }
 
 } // namespace raysteps
