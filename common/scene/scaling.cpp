@@ -119,7 +119,7 @@ std::vector<std::string> tell_precision(const Scene& scene) {
         sentences.push_back(fmt::format(
             "{}: it lies so far from the origin that floats would leave steps of {:.2g}, so {} was "
             "taken from all its coordinates. --camera, --rays and --print-scene take and give "
-            "those of the file.",
+            "those of the file; --tree and the program check count from there.",
             scene.name, std::exp2(std::floor(std::log2(greatest_of(scene.origin))) - 23.0),
             point_text(scene.origin)));
     }
