@@ -10,6 +10,7 @@
 #include "core/triangles.glsl"
 #include "core/vector.glsl"
 #include <triangle>
+#include <cutout>
 #include <observer>
 #include <structure>
 
