@@ -53,6 +53,15 @@ public:
             add(std::filesystem::path(material.cutout_map).filename().string());
             add(material.cutoff);
         }
+        if (!material.normal_map.empty()) {
+            add("normal_map");
+            add(std::filesystem::path(material.normal_map).filename().string());
+        }
+        if (!material.emissive_map.empty()) {
+            add("emissive_map");
+            add(std::filesystem::path(material.emissive_map).filename().string());
+            add(material.emissive_factor);
+        }
     }
     void add(const Light& light) {
         add(light.position);

@@ -94,6 +94,13 @@ Material to_material(const tinyobj::material_t& source) {
     material.illumination_model = source.illum;
     material.diffuse_map = source.diffuse_texname;
     material.cutout_map = source.alpha_texname;
+    material.normal_map = source.normal_texname;
+    material.emissive_map = source.emissive_texname;
+    if (!material.emissive_map.empty()) { // what glows by a picture does not glow all over
+        if (material.emission != glm::vec3(0.0f))
+            material.emissive_factor = material.emission;
+        material.emission = glm::vec3(0.0f);
+    }
     return material;
 }
 
@@ -183,7 +190,8 @@ ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
         const CleanMtl clean = clean_mtl(text);
         ParsedMtl parsed{read_clean_mtl(clean.text), clean.findings.sentences(path)};
         for (Material& material : parsed.materials) {
-            for (std::string* map : {&material.diffuse_map, &material.cutout_map}) {
+            for (std::string* map : {&material.diffuse_map, &material.cutout_map,
+                                     &material.normal_map, &material.emissive_map}) {
                 const MtlTexture texture = find_texture(*map, path, inside);
                 *map = texture.path;
                 if (!texture.message.empty())
@@ -241,6 +249,15 @@ public:
     SceneMaker(const ObjFile& file, std::vector<Material> materials) : file_(file) {
         material_of_name_ = find_materials(file.material_names, materials);
         scene_.materials = std::move(materials);
+        std::size_t triangles = 0; // at most
+        for (const ObjFace& face : file.faces)
+            triangles += static_cast<std::size_t>(std::max(face.corner_count - 2, 0));
+        scene_.corners.reserve(3 * triangles);
+        scene_.texture_coordinates.reserve(3 * triangles);
+        scene_.corner_colors.reserve(file.colors.empty() ? 0 : 3 * triangles);
+        origins_.reserve(3 * triangles);
+        scene_.triangle_materials.reserve(triangles);
+        scene_.faces.reserve(triangles);
     }
 
     void add_face(const ObjFace& face);
