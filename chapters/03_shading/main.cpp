@@ -54,12 +54,12 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built = build_structure(
+        BuiltStructure built = build_structure(
             tracing.structure, scene.corners,
             {.reach = camera_reach(picture, scene), .values = tracing.build_values});
         const Limits limits = measure_limits();
         announce_loop(picture, tracing, scene, limits);
-        WhittedRenderer renderer(scene, upload(scene, built),
+        WhittedRenderer renderer(scene, upload(scene, std::move(built)),
                                  trace_parts(tracing.triangle, tracing.structure), limits);
         renderer.report_progress(show_progress("tracing"));
         double seconds = 0.0;

@@ -50,11 +50,11 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built =
+        BuiltStructure built =
             build_structure(tracing.structure, scene.corners,
                             {.reach = camera_reach(picture, scene), .values = tracing.build_values},
                             {{"grid", grid_over}});
-        const SceneTextures textures = upload(scene, built);
+        const SceneTextures textures = upload(scene, std::move(built));
         TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
         trace.report_progress(show_progress("tracing"));
         TraceTime time;

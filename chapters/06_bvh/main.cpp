@@ -13,9 +13,10 @@ namespace {
 BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const BvhOptions options = bvh_options_of(request);
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
-    const PackedStructure packed = pack(bvh, corners);
-    return {.packed = packed,
-            .facts = facts_of(measure_bvh(bvh, options), corners.size() / 3, packed, seconds)};
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh(bvh, options), corners.size() / 3, built.packed, seconds);
+    return built;
 }
 
 } // namespace
@@ -44,11 +45,11 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built =
+        BuiltStructure built =
             build_structure(tracing.structure, scene.corners,
                             {.reach = camera_reach(picture, scene), .values = tracing.build_values},
                             {{"bvh", bvh_over}});
-        const SceneTextures textures = upload(scene, built);
+        const SceneTextures textures = upload(scene, std::move(built));
         TraceRays trace(trace_parts(tracing.triangle, tracing.structure, view), measure_limits());
         trace.report_progress(show_progress("tracing"));
         TraceTime time;

@@ -49,15 +49,16 @@ void swap_second_and_third(std::vector<Value>& of_corners) {
     }
 }
 
-// Where only one of both has colours, the other is white.
-void take_colors(Scene& scene, std::vector<glm::vec3>&& colors, std::size_t first_corner,
-                 std::size_t end_corner) {
-    if (scene.corner_colors.empty() && colors.empty()) {
+// Of what not every model has at its corners: where only one of both has it, the other gets `none`.
+template <class Value>
+void take_at_corners(std::vector<Value>& values, std::vector<Value>&& more,
+                     std::size_t first_corner, std::size_t end_corner, const Value& none) {
+    if (values.empty() && more.empty()) {
         return;
     }
-    scene.corner_colors.resize(first_corner, glm::vec3(1.0f));
-    take(scene.corner_colors, std::move(colors));
-    scene.corner_colors.resize(end_corner, glm::vec3(1.0f));
+    values.resize(first_corner, none);
+    take(values, std::move(more));
+    values.resize(end_corner, none);
 }
 
 Camera transformed(Camera camera, const glm::dmat3& linear, const glm::dvec3& translation) {
@@ -106,11 +107,13 @@ Scene append_model(Scene scene, Scene model, const glm::mat4& transform) {
         material += first_material;
     }
     append_names(scene, model);
-    take_colors(scene, std::move(model.corner_colors), first_corner,
-                first_corner + model.corners.size());
+    const std::size_t end_corner = first_corner + model.corners.size();
+    take_at_corners(scene.corner_colors, std::move(model.corner_colors), first_corner, end_corner,
+                    glm::vec3(1.0f));
+    take_at_corners(scene.texture_coordinates, std::move(model.texture_coordinates), first_corner,
+                    end_corner, glm::vec2(0.0f));
     take(scene.corners, std::move(model.corners));
     take(scene.normals, std::move(model.normals));
-    take(scene.texture_coordinates, std::move(model.texture_coordinates));
     take(scene.triangle_materials, std::move(model.triangle_materials));
     take(scene.left_out, std::move(model.left_out));
     take(scene.lights, std::move(model.lights));

@@ -118,7 +118,8 @@ struct EnclosedPicture {
 };
 
 // Everything that a picture needs, in world space. Triangle i has the corners, normals and texture
-// coordinates 3i, 3i + 1 and 3i + 2; triangles are numbered in the order of their file.
+// coordinates 3i, 3i + 1 and 3i + 2; triangles are numbered in the order of their file. A scene of
+// files that give no texture coordinates has none.
 // Every number is finite, every material index is in range, and materials is never empty.
 struct Scene {
     std::string name;

@@ -183,15 +183,27 @@ bool is_file_inside(const std::filesystem::path& folder, std::string_view name) 
     return path && std::filesystem::is_regular_file(*path, failure);
 }
 
-// The name under which a material file is there; the name itself where it is not.
-std::string found_library(std::string_view name, const std::filesystem::path& obj_path) {
+// The name under which a material file is there; the name itself where it is not, and all that were
+// tried.
+struct FoundLibrary {
+    std::string name;
+    std::string tried;
+};
+
+FoundLibrary found_library(std::string_view name, const std::filesystem::path& obj_path) {
     const std::filesystem::path folder = folder_of(obj_path);
-    const std::string beside(last_word_of_path(name));
-    const std::string same = obj_path.stem().string() + ".mtl";
-    for (const std::string& place : {std::string(name), beside, same})
+    std::vector<std::string> places{std::string(name)};
+    for (const std::string& place :
+         {std::string(last_word_of_path(name)), obj_path.stem().string() + ".mtl"})
+        if (std::find(places.begin(), places.end(), place) == places.end())
+            places.push_back(place);
+    std::string tried;
+    for (const std::string& place : places) {
         if (is_file_inside(folder, place))
-            return place;
-    return std::string(name);
+            return {place, ""};
+        tried += (tried.empty() ? "" : ", ") + (folder / place).string();
+    }
+    return {std::string(name), tried};
 }
 
 // A reason as the end of a sentence.
@@ -317,7 +329,7 @@ MtlFiles read_mtl_files(const ObjFile& file) {
     const std::filesystem::path folder = folder_of(file.path);
     for (const ObjLibrary& library : file.libraries) {
         for (const std::string_view named : names_in(library, folder)) {
-            const std::string name = found_library(named, file.path);
+            const auto [name, tried] = found_library(named, file.path);
             if (name != named)
                 result.findings.note("The material file " + in_quotes(named) +
                                          " is not there, so " + in_quotes(name) + " was read",
@@ -337,7 +349,8 @@ MtlFiles read_mtl_files(const ObjFile& file) {
             else
                 result.findings.note("The material file " + in_quotes(name) +
                                          " was not read, because " +
-                                         without_full_stop(outcome.problem),
+                                         without_full_stop(outcome.problem) +
+                                         (tried.empty() ? "" : " (tried " + tried + ")"),
                                      library.line);
         }
     }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace raysteps {
 
@@ -366,8 +367,16 @@ void Importing::add_lights() {
 
 MeshFile Importing::mesh() {
     add_pictures();
+    std::set<unsigned> used;
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+        used.insert(scene_.mMeshes[i]->mMaterialIndex);
+    }
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+        const auto before = not_shown_;
         add_material(*scene_.mMaterials[i]);
+        if (!used.contains(i)) { // as the one that Assimp adds to every glTF file
+            not_shown_ = before;
+        }
     }
     if (scene_.mRootNode != nullptr) {
         add_nodes(*scene_.mRootNode, {});
