@@ -1,4 +1,4 @@
-#include "reference/exact.h"
+#include "reference/exact_mesh.h"
 
 #include "basics/box.h"
 #include "basics/threads.h"
@@ -100,6 +100,8 @@ bool surely_misses_box(const Ray& ray, const Box& box) {
            passes_beside(ray, box, 2, 0);
 }
 
+} // namespace
+
 // Boxes of triangles, halved by their middles until few are left: no structure of those that are
 // judged, and no distance decides anything here. Only what a line surely misses is left out.
 class TriangleBoxes {
@@ -186,8 +188,6 @@ private:
     std::vector<Node> nodes_;
 };
 
-} // namespace
-
 ReferenceHit exact_nearest_hit(const Ray& ray, std::span<const glm::vec3> corners) {
     return nearest_of(ray, corners, [](const Ray& line, const Corners& triangle) {
         return !surely_misses(line, triangle);
@@ -219,18 +219,26 @@ constexpr std::size_t fewest_for_boxes = 32; // rays: making the boxes takes abo
 
 } // namespace
 
-std::vector<ReferenceHit> exact_nearest_hits(std::span<const Ray> rays,
-                                             std::span<const glm::vec3> corners) {
+ExactMesh::ExactMesh(std::span<const glm::vec3> corners) : corners_(corners) {}
+ExactMesh::ExactMesh(const std::vector<glm::vec3>& corners) : corners_(corners) {}
+ExactMesh::~ExactMesh() = default;
+
+std::vector<ReferenceHit> ExactMesh::nearest_hits(std::span<const Ray> rays) const {
     std::vector<ReferenceHit> hits(rays.size());
     if (rays.size() < fewest_for_boxes) {
         on_threads(all_cores, rays.size(),
-                   [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners); });
+                   [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners_); });
         return hits;
     }
-    const TriangleBoxes boxes(corners);
+    std::call_once(made_, [&] { boxes_ = std::make_unique<const TriangleBoxes>(corners_); });
     on_threads(all_cores, rays.size(),
-               [&](std::size_t i) { hits[i] = nearest_in(boxes, rays[i], corners); });
+               [&](std::size_t i) { hits[i] = nearest_in(*boxes_, rays[i], corners_); });
     return hits;
+}
+
+std::vector<ReferenceHit> exact_nearest_hits(std::span<const Ray> rays,
+                                             std::span<const glm::vec3> corners) {
+    return ExactMesh(corners).nearest_hits(rays);
 }
 
 } // namespace raysteps
