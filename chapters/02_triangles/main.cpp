@@ -29,10 +29,10 @@ int main(int argc, char** argv) {
             trace_ray_file(picture, tracing, scene);
             return;
         }
-        const BuiltStructure built = build_structure(
+        BuiltStructure built = build_structure(
             tracing.structure, scene.corners,
             {.reach = camera_reach(picture, scene), .values = tracing.build_values});
-        const SceneTextures textures = upload(scene, built);
+        const SceneTextures textures = upload(scene, std::move(built));
         TraceRays trace(trace_parts(tracing.triangle, tracing.structure), measure_limits());
         trace.report_progress(show_progress("tracing"));
         TraceTime time;

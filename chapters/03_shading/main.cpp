@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
         const Limits limits = measure_limits();
         std::optional<WhittedRenderer> renderer;
         const auto make = [&] {
-            const BuiltStructure built = build_structure(
+            BuiltStructure built = build_structure(
                 tracing.structure, scene.corners,
                 {.reach = camera_reach(picture, scene), .values = tracing.build_values});
-            renderer = WhittedRenderer(scene, upload(scene, built),
+            renderer = WhittedRenderer(scene, upload(scene, std::move(built)),
                                        trace_parts(tracing.triangle, tracing.structure), limits);
             renderer->report_progress(show_progress("tracing"));
         };

@@ -48,11 +48,11 @@ int main(int argc, char** argv) {
         std::optional<TraceRays> trace;
         const auto make = [&] {
             TraceRays walk(trace_parts(tracing.triangle, tracing.structure, view), limits);
-            const BuiltStructure built = build_structure(
+            BuiltStructure built = build_structure(
                 tracing.structure, scene.corners,
                 {.reach = camera_reach(picture, scene), .values = tracing.build_values},
                 {{"kd", kd_tree_over}});
-            textures = upload(scene, built);
+            textures = upload(scene, std::move(built));
             trace = std::move(walk);
             trace->report_progress(show_progress("tracing"));
         };

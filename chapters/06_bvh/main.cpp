@@ -14,9 +14,10 @@ namespace {
 BuiltStructure bvh_over(std::span<const glm::vec3> corners, const BuildRequest& request) {
     const BvhOptions options = bvh_options_of(request);
     const auto [bvh, seconds] = timed([&] { return build_bvh(corners, options); });
-    const PackedStructure packed = pack(bvh, corners);
-    return {.packed = packed,
-            .facts = facts_of(measure_bvh(bvh, options), corners.size() / 3, packed, seconds)};
+    BuiltStructure built;
+    built.packed = pack(bvh, corners);
+    built.facts = facts_of(measure_bvh(bvh, options), corners.size() / 3, built.packed, seconds);
+    return built;
 }
 
 } // namespace
@@ -50,11 +51,11 @@ int main(int argc, char** argv) {
         std::optional<TraceRays> trace;
         const auto make = [&] {
             TraceRays walk(trace_parts(tracing.triangle, tracing.structure, view), limits);
-            const BuiltStructure built = build_structure(
+            BuiltStructure built = build_structure(
                 tracing.structure, scene.corners,
                 {.reach = camera_reach(picture, scene), .values = tracing.build_values},
                 {{"bvh", bvh_over}});
-            textures = upload(scene, built);
+            textures = upload(scene, std::move(built));
             trace = std::move(walk);
             trace->report_progress(show_progress("tracing"));
         };

@@ -44,10 +44,10 @@ void take_only_structure(const std::vector<StructureChoice>& structures, TraceOp
 void show_normals(const PictureOptions& picture, const TraceOptions& tracing) {
     const Scene scene = load_scene(picture);
     const auto context = open_context(picture);
-    const BuiltStructure built =
+    BuiltStructure built =
         build_structure(tracing.structure, scene.corners,
                         {.reach = camera_reach(picture, scene), .values = tracing.build_values});
-    const SceneTextures textures = upload(scene, built);
+    const SceneTextures textures = upload(scene, std::move(built));
     TraceRays trace(trace_parts(tracing.triangle, tracing.structure), measure_limits());
     show_or_write(
         picture, *context, scene.camera, picture_name(picture.scene),

@@ -149,6 +149,7 @@ struct Question {
     std::span<const Ray> rays;
     std::span<const Hit> hits;
     std::span<const ReferenceHit> truth;
+    const ExactMesh& mesh;
     std::span<const glm::vec3> corners;
 };
 
@@ -171,7 +172,7 @@ std::vector<bool> pass_outlines(std::span<const Disputed> disputed, const Questi
         }
         moved_for.resize(moved.size(), i);
     }
-    const std::vector<ReferenceHit> found = exact_nearest_hits(moved, question.corners);
+    const std::vector<ReferenceHit> found = question.mesh.nearest_hits(moved);
     for (std::size_t k = 0; k < moved.size(); ++k) {
         const std::size_t n = disputed[moved_for[k]].ray;
         // Moved once already, it may have to go back as far.
@@ -244,7 +245,8 @@ double unit_in_last_place(double value) {
 }
 
 Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
-                    std::span<const ReferenceHit> truth, std::span<const glm::vec3> corners) {
+                    std::span<const ReferenceHit> truth, const ExactMesh& mesh) {
+    const std::span<const glm::vec3> corners = mesh.corners();
     std::vector<Disputed> disputed;
     std::vector<float> errors;
     const Box box = bounds_of(corners);
@@ -262,7 +264,7 @@ Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
                 static_cast<float>(std::abs(t - *true_t) / unit_in_last_place(*true_t)));
         }
     }
-    const std::vector<bool> outlines = pass_outlines(disputed, {rays, hits, truth, corners});
+    const std::vector<bool> outlines = pass_outlines(disputed, {rays, hits, truth, mesh, corners});
     Fault missed{"missed", 0, hits.size()};
     Fault wrong{"false", 0, hits.size()};
     std::size_t excused = 0;

@@ -2,7 +2,7 @@
 
 #include "basics/ray.h"
 #include "image/image.h"
-#include "reference/exact.h"
+#include "reference/exact_mesh.h"
 #include "trade_off.h"
 
 #include <glm/vec3.hpp>
@@ -34,7 +34,7 @@ inline const std::string missed_hit = "missed";
 // hits, so a ray that slips through is a fault. (Padding is what structures give every triangle, by
 // what the test with exact areas can promise: docs/numerics.md.)
 Findings judge_hits(std::span<const Ray> rays, std::span<const Hit> hits,
-                    std::span<const ReferenceHit> truth, std::span<const glm::vec3> corners);
+                    std::span<const ReferenceHit> truth, const ExactMesh& mesh);
 
 // How far a picture is from the true one: pixels that differ by more than one of the 256 steps of
 // sRGB are faults; the error is that of each pixel in such steps, of the component that differs

@@ -271,7 +271,7 @@ void make_page(const std::filesystem::path& json) {
 constexpr std::uintmax_t most_bytes_of_report = 256U << 20U;
 
 // Exact truth takes a time for each ray and triangle; a family keeps so many rays at least.
-constexpr std::size_t most_decisions = 400'000'000;
+constexpr std::size_t most_decisions = 100'000'000;
 constexpr std::size_t fewest_rays = 1024;
 
 std::vector<TradeOffMaker> chosen_makers(const std::vector<std::string>& names) {

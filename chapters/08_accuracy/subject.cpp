@@ -80,12 +80,13 @@ std::shared_ptr<const Subject> slivers_subject() {
 std::vector<std::shared_ptr<const TraceFamily>> with_truth(std::vector<RayFamily> families,
                                                            std::span<const glm::vec3> corners,
                                                            const Effort& effort) {
+    const ExactMesh mesh(corners);
     std::vector<std::shared_ptr<const TraceFamily>> judged;
     for (RayFamily& family : families) {
         const std::size_t timed = std::min(effort.timed_rays, family.rays.size());
         RayTextures all = upload_rays(family.rays);
         RayTextures first = upload_rays(std::span(family.rays).first(timed));
-        std::vector<ReferenceHit> truth = exact_nearest_hits(family.rays, corners);
+        std::vector<ReferenceHit> truth = mesh.nearest_hits(family.rays);
         judged.push_back(std::make_shared<const TraceFamily>(
             TraceFamily{std::move(family.name), std::move(family.rays), std::move(truth), timed,
                         std::move(all), std::move(first)}));
@@ -101,6 +102,7 @@ trace_trials(const std::vector<TraceMethod>& methods,
     for (const TraceMethod& method : methods) {
         tracers.push_back(std::make_shared<TraceRays>(method.parts, effort.limits));
     }
+    const auto mesh = std::make_shared<const ExactMesh>(corners);
     std::vector<MethodTrial> trials;
     for (const auto& family : families) {
         for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -115,7 +117,7 @@ trace_trials(const std::vector<TraceMethod>& methods,
                      [=] {
                          const Texture hits = trace->closest_hits(family->all, *scene);
                          return judge_hits(family->rays, read_hits(hits, family->rays.size()),
-                                           family->truth, corners);
+                                           family->truth, *mesh);
                      }});
         }
     }

@@ -4,9 +4,15 @@
 #include "gpu/gl.h"
 #include "gpu/limits.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace raysteps {
 
@@ -176,6 +182,62 @@ BufferTexture::BufferTexture(std::span<const glm::ivec4> texels)
 
 BufferTexture::BufferTexture(std::span<const std::int32_t> texels)
     : BufferTexture(texels.data(), texels.size_bytes(), texels.size(), GL_R32I) {}
+
+namespace {
+
+// Into the bound buffer. The pages behind an array that will not be read again go back to the
+// system as soon as their part is there.
+template <class Texel>
+void move_into_buffer(std::vector<Texel> texels) {
+    constexpr std::size_t part = std::size_t{1} << 24; // in bytes, and a multiple of any page
+    auto* const bytes = reinterpret_cast<char*>(texels.data());
+    const std::size_t size = texels.size() * sizeof(Texel);
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    for (std::size_t first = 0; first < size; first += part) {
+        const std::size_t length = std::min(part, size - first);
+        glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first),
+                        static_cast<GLsizeiptr>(length), bytes + first);
+        const auto address = reinterpret_cast<std::uintptr_t>(bytes + first);
+        const std::size_t ahead = (page - address % page) % page; // to the first whole page
+        if (length > ahead + page) {
+            madvise(bytes + first + ahead, (length - ahead) / page * page, MADV_DONTNEED);
+        }
+    }
+}
+
+} // namespace
+
+BufferTexture::BufferTexture(std::vector<glm::vec4>&& texels)
+    : BufferTexture(nullptr, texels.size() * sizeof(glm::vec4), texels.size(), GL_RGBA32F) {
+    move_into_buffer(std::move(texels));
+}
+
+BufferTexture::BufferTexture(std::vector<glm::ivec4>&& texels)
+    : BufferTexture(nullptr, texels.size() * sizeof(glm::ivec4), texels.size(), GL_RGBA32I) {
+    move_into_buffer(std::move(texels));
+}
+
+BufferTexture::BufferTexture(std::vector<std::int32_t>&& texels)
+    : BufferTexture(nullptr, texels.size() * sizeof(std::int32_t), texels.size(), GL_R32I) {
+    move_into_buffer(std::move(texels));
+}
+
+// In parts, so that there are never two of millions of texels.
+BufferTexture::BufferTexture(std::span<const glm::vec3> vectors)
+    : BufferTexture(nullptr, vectors.size() * sizeof(glm::vec4), vectors.size(), GL_RGBA32F) {
+    constexpr std::size_t part = 1 << 16;
+    std::vector<glm::vec4> texels;
+    for (std::size_t first = 0; first < vectors.size(); first += part) {
+        texels.clear();
+        for (const glm::vec3& vector :
+             vectors.subspan(first, std::min(part, vectors.size() - first))) {
+            texels.emplace_back(vector, 0.0f);
+        }
+        glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * sizeof(glm::vec4)),
+                        static_cast<GLsizeiptr>(texels.size() * sizeof(glm::vec4)), texels.data());
+    }
+    check_gl("filling a buffer texture of " + std::to_string(vectors.size()) + " texels");
+}
 
 BufferTexture::BufferTexture(const void* bytes, std::size_t size, std::size_t texels,
                              GLenum format) {

@@ -2,6 +2,7 @@
 
 #include "gpu/gl.h"
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -73,6 +74,12 @@ public:
     explicit BufferTexture(std::span<const glm::vec4> texels);
     explicit BufferTexture(std::span<const glm::ivec4> texels);
     explicit BufferTexture(std::span<const std::int32_t> texels);
+    // Takes the array part by part: of a large one there is never a copy in memory beside it.
+    explicit BufferTexture(std::vector<glm::vec4>&& texels);
+    explicit BufferTexture(std::vector<glm::ivec4>&& texels);
+    explicit BufferTexture(std::vector<std::int32_t>&& texels);
+    // Of vectors with a zero behind each.
+    explicit BufferTexture(std::span<const glm::vec3> vectors);
     ~BufferTexture();
     BufferTexture(BufferTexture&& other) noexcept;
     BufferTexture& operator=(BufferTexture&& other) noexcept;
@@ -82,6 +89,7 @@ public:
     GLuint id() const { return id_; }
 
 private:
+    // Without bytes, room for them.
     BufferTexture(const void* bytes, std::size_t size, std::size_t texels, GLenum format);
 
     GLuint buffer_ = 0;

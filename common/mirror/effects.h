@@ -27,6 +27,7 @@ struct EffectParts {
 #include "light/media.glsl"
 #include "light/highlight.glsl"
 #include "light/texture.glsl"
+#include "light/normal_map.glsl"
 #include "light/sky.glsl"
 #include "light/fresnel.glsl"
 #include "light/glass.glsl"

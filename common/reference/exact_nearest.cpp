@@ -1,4 +1,4 @@
-#include "reference/exact.h"
+#include "reference/exact_mesh.h"
 
 #include "basics/threads.h"
 #include "reference/triangle_boxes.h"
@@ -92,18 +92,26 @@ constexpr std::size_t fewest_for_boxes = 32; // rays: making the boxes takes abo
 
 } // namespace
 
-std::vector<ReferenceHit> exact_nearest_hits(std::span<const Ray> rays,
-                                             std::span<const glm::vec3> corners) {
+ExactMesh::ExactMesh(std::span<const glm::vec3> corners) : corners_(corners) {}
+ExactMesh::ExactMesh(const std::vector<glm::vec3>& corners) : corners_(corners) {}
+ExactMesh::~ExactMesh() = default;
+
+std::vector<ReferenceHit> ExactMesh::nearest_hits(std::span<const Ray> rays) const {
     std::vector<ReferenceHit> hits(rays.size());
     if (rays.size() < fewest_for_boxes) {
         on_threads(all_cores, rays.size(),
-                   [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners); });
+                   [&](std::size_t i) { hits[i] = exact_nearest_hit(rays[i], corners_); });
         return hits;
     }
-    const TriangleBoxes boxes(corners);
+    std::call_once(made_, [&] { boxes_ = std::make_unique<const TriangleBoxes>(corners_); });
     on_threads(all_cores, rays.size(),
-               [&](std::size_t i) { hits[i] = nearest_in(boxes, rays[i], corners); });
+               [&](std::size_t i) { hits[i] = nearest_in(*boxes_, rays[i], corners_); });
     return hits;
+}
+
+std::vector<ReferenceHit> exact_nearest_hits(std::span<const Ray> rays,
+                                             std::span<const glm::vec3> corners) {
+    return ExactMesh(corners).nearest_hits(rays);
 }
 
 } // namespace raysteps

@@ -4,6 +4,8 @@
 #include "scene/pictures.h"
 #include "structure/structure.h"
 
+#include <utility>
+
 namespace raysteps {
 
 namespace {
@@ -65,21 +67,26 @@ std::map<std::string, BufferTexture> upload_cutouts(const Scene& scene) {
 
 } // namespace
 
-StructureTextures upload(const BuiltStructure& built) {
-    StructureTextures textures{.points = built.packed.points,
-                               .counts = built.packed.counts,
-                               .numbers = built.packed.numbers,
+namespace {
+
+template <class Texel>
+void upload_arrays(StructureTextures& textures, std::map<std::string, std::vector<Texel>>& arrays) {
+    for (auto& [name, texels] : arrays) {
+        textures.buffers.emplace(name, std::move(texels));
+    }
+}
+
+} // namespace
+
+StructureTextures upload(BuiltStructure built) {
+    StructureTextures textures{.points = std::move(built.packed.points),
+                               .counts = std::move(built.packed.counts),
+                               .numbers = std::move(built.packed.numbers),
                                .longest_walk = built.longest_walk,
-                               .facts = built.facts};
-    for (const auto& [name, texels] : built.packed.vectors) {
-        textures.buffers.emplace(name, std::span(texels));
-    }
-    for (const auto& [name, texels] : built.packed.integer_vectors) {
-        textures.buffers.emplace(name, std::span(texels));
-    }
-    for (const auto& [name, texels] : built.packed.integers) {
-        textures.buffers.emplace(name, std::span(texels));
-    }
+                               .facts = std::move(built.facts)};
+    upload_arrays(textures, built.packed.vectors);
+    upload_arrays(textures, built.packed.integer_vectors);
+    upload_arrays(textures, built.packed.integers);
     return textures;
 }
 
@@ -98,13 +105,14 @@ void bind(Program& program, const StructureTextures& structure) {
     }
 }
 
-SceneTextures upload(const Scene& scene, const BuiltStructure& structure) {
+SceneTextures upload(const Scene& scene, BuiltStructure structure) {
+    StructureTextures arrays = upload(std::move(structure));
     return {triangle_count(scene),
-            BufferTexture(pack_vectors(scene.corners)),
-            BufferTexture(pack_vectors(scene.normals)),
+            BufferTexture(std::span<const glm::vec3>(scene.corners)),
+            BufferTexture(std::span<const glm::vec3>(scene.normals)),
             BufferTexture(std::span<const std::int32_t>(scene.triangle_materials)),
             BufferTexture(pack_materials(scene.materials)),
-            upload(structure),
+            std::move(arrays),
             upload_cutouts(scene)};
 }
 

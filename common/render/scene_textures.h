@@ -20,7 +20,7 @@ struct StructureTextures {
 };
 
 // Throws MachineError where an array is over the machine's limit, or memory is short.
-StructureTextures upload(const BuiltStructure& built);
+StructureTextures upload(BuiltStructure built);
 
 // Gives a program that has the structure's part its arrays and numbers.
 void bind(Program& program, const StructureTextures& structure);
@@ -38,7 +38,7 @@ struct SceneTextures {
 };
 
 // With the holes of its surfaces, where materials have a cutout_map.
-SceneTextures upload(const Scene& scene, const BuiltStructure& structure);
+SceneTextures upload(const Scene& scene, BuiltStructure structure);
 
 // The same scene without them.
 SceneTextures without_cutouts(SceneTextures textures);

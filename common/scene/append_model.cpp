@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace raysteps {
@@ -19,7 +20,18 @@ glm::dmat3 normal_matrix(const glm::dmat3& linear) {
     return glm::determinant(linear) < 0.0 ? -cofactors : cofactors;
 }
 
-void append_names(Scene& scene, const Scene& model) {
+// Behind what there is; the first of all is not copied.
+template <class Value>
+void take(std::vector<Value>& values, std::vector<Value>&& more) {
+    if (values.empty()) {
+        values = std::move(more);
+        return;
+    }
+    values.insert(values.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+}
+
+void append_names(Scene& scene, Scene& model) {
     const int first_triangle = static_cast<int>(scene.triangle_materials.size());
     const int first_model = static_cast<int>(scene.models.size());
     for (NamedRun run : model.runs) {
@@ -27,21 +39,26 @@ void append_names(Scene& scene, const Scene& model) {
         run.model += first_model;
         scene.runs.push_back(std::move(run));
     }
-    scene.faces.insert(scene.faces.end(), model.faces.begin(), model.faces.end());
+    take(scene.faces, std::move(model.faces));
 }
 
-// Where only one of both has colours, the other is white.
-void append_colors(Scene& scene, const Scene& model, std::size_t first_corner, bool mirrors) {
-    if (scene.corner_colors.empty() && model.corner_colors.empty()) {
+template <class Value>
+void swap_second_and_third(std::vector<Value>& of_corners) {
+    for (std::size_t i = 0; i + 2 < of_corners.size(); i += 3) {
+        std::swap(of_corners[i + 1], of_corners[i + 2]);
+    }
+}
+
+// Of what not every model has at its corners: where only one of both has it, the other gets `none`.
+template <class Value>
+void take_at_corners(std::vector<Value>& values, std::vector<Value>&& more,
+                     std::size_t first_corner, std::size_t end_corner, const Value& none) {
+    if (values.empty() && more.empty()) {
         return;
     }
-    std::vector<glm::vec3>& colors = scene.corner_colors;
-    colors.resize(first_corner, glm::vec3(1.0f));
-    colors.insert(colors.end(), model.corner_colors.begin(), model.corner_colors.end());
-    colors.resize(scene.corners.size(), glm::vec3(1.0f));
-    for (std::size_t i = first_corner; mirrors && i < colors.size(); i += 3) {
-        std::swap(colors[i + 1], colors[i + 2]);
-    }
+    values.resize(first_corner, none);
+    take(values, std::move(more));
+    values.resize(end_corner, none);
 }
 
 Camera transformed(Camera camera, const glm::dmat3& linear, const glm::dvec3& translation) {
@@ -53,52 +70,57 @@ Camera transformed(Camera camera, const glm::dmat3& linear, const glm::dvec3& tr
 
 } // namespace
 
-Scene append_model(Scene scene, const Scene& model, const glm::mat4& transform) {
+Scene append_model(Scene scene, Scene model, const glm::mat4& transform) {
     const glm::dmat4 whole(transform);
     const glm::dmat3 linear(whole);
     const glm::dmat3 for_normals = normal_matrix(linear);
-    const bool mirrors = glm::determinant(linear) < 0.0;
     const std::size_t first_corner = scene.corners.size();
     const int first_triangle = triangle_count(scene) + static_cast<int>(scene.left_out.size());
     const int first_material = static_cast<int>(scene.materials.size());
 
-    for (const int triangle : model.left_out) {
-        scene.left_out.push_back(first_triangle + triangle);
-    }
     glm::dvec3 translation(whole[3]);
     if (model.origin != glm::dvec3(0.0) || scene.origin != glm::dvec3(0.0)) {
         translation += linear * model.origin - scene.origin;
     }
-    for (const glm::vec3& corner : model.corners) {
-        scene.corners.push_back(glm::vec3(linear * glm::dvec3(corner) + translation));
+    for (glm::vec3& corner : model.corners) {
+        corner = glm::vec3(linear * glm::dvec3(corner) + translation);
     }
-    for (const glm::vec3& normal : model.normals) {
-        scene.normals.push_back(glm::vec3(glm::normalize(for_normals * glm::dvec3(normal))));
+    for (glm::vec3& normal : model.normals) {
+        normal = glm::vec3(glm::normalize(for_normals * glm::dvec3(normal)));
     }
-    scene.texture_coordinates.insert(scene.texture_coordinates.end(),
-                                     model.texture_coordinates.begin(),
-                                     model.texture_coordinates.end());
-    for (std::size_t i = first_corner; mirrors && i < scene.corners.size(); i += 3) {
-        std::swap(scene.corners[i + 1], scene.corners[i + 2]);
-        std::swap(scene.normals[i + 1], scene.normals[i + 2]);
-        std::swap(scene.texture_coordinates[i + 1], scene.texture_coordinates[i + 2]);
+    if (glm::determinant(linear) < 0.0) { // it mirrors
+        swap_second_and_third(model.corners);
+        swap_second_and_third(model.normals);
+        swap_second_and_third(model.texture_coordinates);
+        swap_second_and_third(model.corner_colors);
     }
-    append_names(scene, model);
-    append_colors(scene, model, first_corner, mirrors);
-    for (Light light : model.lights) {
+    for (Light& light : model.lights) {
         light.position = glm::vec3(linear * glm::dvec3(light.position) + translation);
-        scene.lights.push_back(light);
     }
     if (model.file_camera && !scene.file_camera) {
         scene.file_camera = transformed(*model.file_camera, linear, translation);
     }
-    for (const int material : model.triangle_materials) {
-        scene.triangle_materials.push_back(first_material + material);
+    for (int& triangle : model.left_out) {
+        triangle += first_triangle;
     }
-    scene.materials.insert(scene.materials.end(), model.materials.begin(), model.materials.end());
-    scene.enclosed.insert(scene.enclosed.end(), model.enclosed.begin(), model.enclosed.end());
-    scene.models.insert(scene.models.end(), model.models.begin(), model.models.end());
-    scene.messages.insert(scene.messages.end(), model.messages.begin(), model.messages.end());
+    for (int& material : model.triangle_materials) {
+        material += first_material;
+    }
+    append_names(scene, model);
+    const std::size_t end_corner = first_corner + model.corners.size();
+    take_at_corners(scene.corner_colors, std::move(model.corner_colors), first_corner, end_corner,
+                    glm::vec3(1.0f));
+    take_at_corners(scene.texture_coordinates, std::move(model.texture_coordinates), first_corner,
+                    end_corner, glm::vec2(0.0f));
+    take(scene.corners, std::move(model.corners));
+    take(scene.normals, std::move(model.normals));
+    take(scene.triangle_materials, std::move(model.triangle_materials));
+    take(scene.left_out, std::move(model.left_out));
+    take(scene.lights, std::move(model.lights));
+    take(scene.materials, std::move(model.materials));
+    take(scene.enclosed, std::move(model.enclosed));
+    take(scene.models, std::move(model.models));
+    take(scene.messages, std::move(model.messages));
     return scene;
 }
 

@@ -12,6 +12,6 @@ namespace raysteps {
 // third corner of each triangle change places, so that a front stays a front. A coordinate may
 // leave the range of floats: the caller checks bounds_of. The scene's origin is what is taken from
 // coordinates in world space; the model's is what was taken from its own.
-Scene append_model(Scene scene, const Scene& model, const glm::mat4& transform);
+Scene append_model(Scene scene, Scene model, const glm::mat4& transform);
 
 } // namespace raysteps

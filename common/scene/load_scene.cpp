@@ -41,11 +41,11 @@ Scene load_bare_model(const fs::path& path, float aspect_ratio, const SceneReque
     model.models = {{fs::absolute(path).lexically_normal().string(), transform}};
     Scene scene;
     scene.origin = scale * model.origin;
-    scene = append_model(std::move(scene), model, transform);
+    scene.name = model.name;
+    scene = append_model(std::move(scene), std::move(model), transform);
     for (Material& material : scene.materials) {
         material = scaled(std::move(material), request.scale_exponent);
     }
-    scene.name = model.name;
     scene.background = calm_background;
     scene.camera = place_camera(scene, aspect_ratio, request.camera);
     scene.lights = place_model_lights(scene, aspect_ratio);

@@ -128,7 +128,7 @@ std::vector<glm::vec3> corner_normals(std::span<const glm::vec3> corners,
         const glm::dvec3 normal = glm::normalize(area);
         for (std::size_t at = 0; at < 3; ++at) {
             normals[first + at] = normal;
-            if (surfaces[first + at] == flat)
+            if (surfaces.empty() || surfaces[first + at] == flat)
                 continue;
             const double angle = corner_angle(corners, first, at);
             WeightedNormal& weighted = shared[surfaces[first + at]];
@@ -137,7 +137,7 @@ std::vector<glm::vec3> corner_normals(std::span<const glm::vec3> corners,
         }
     }
     borrow_normals(normals, corners, without_area);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (surfaces[i] == flat)
             continue;
         const WeightedNormal& weighted = shared[surfaces[i]];

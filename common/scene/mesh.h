@@ -36,6 +36,7 @@ glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
 // cancel out, and where the surface is `flat`, it is the triangle's own. A triangle without area
 // has none: each of its corners takes the mean of the triangles with an area that meet there, and
 // where there is no such triangle, or they cancel out, any direction across the longest edge.
+// Without surfaces all are flat.
 std::vector<glm::vec3> corner_normals(std::span<const glm::vec3> corners,
                                       std::span<const std::int64_t> surfaces);
 

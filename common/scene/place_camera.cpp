@@ -376,8 +376,8 @@ std::vector<Light> place_model_lights(Scene& scene, float aspect_ratio) {
 
     const auto factor = static_cast<float>(stronger_by(medians_of(scene, lights, aspect_ratio)));
     if (factor != 1.0f) {
-        for (std::size_t i = lights.size() - placed.size(); i < lights.size(); ++i) {
-            lights[i].color *= factor;
+        for (Light& light : lights) { // what glows as well: of a white room it is most of the light
+            light.color *= factor;
         }
         scene.messages.push_back(fmt::format(
             "{}: its colours are {}, so the lights are {:.2g} times as strong as usual.",

@@ -72,16 +72,19 @@ Seen look_around(const Scene& scene, const glm::dvec3& eye) {
     return seen.sum();
 }
 
-// In an order in which any first part is spread over the box.
-std::vector<glm::dvec3> places_in(const Box& box) {
+// In an order in which any first part is spread over the box. Nobody stands right below the ceiling
+// or lies on the floor: along the axis that is up they are in the middle half.
+std::vector<glm::dvec3> places_in(const Box& box, const glm::dvec3& up) {
     std::vector<glm::dvec3> places;
-    const glm::dvec3 sides = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+    const glm::dvec3 whole = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+    const glm::dvec3 sides = whole * (1.0 - 0.5 * glm::abs(up));
+    const glm::dvec3 first = glm::dvec3(box.lower) + 0.5 * (whole - sides);
     constexpr int all = places_a_side * places_a_side * places_a_side;
     for (int i = 0; i < all; ++i) {
         const int place = i * 37 % all; // 37 has no factor in common with 64
         const glm::dvec3 part(place % places_a_side, place / places_a_side % places_a_side,
                               place / (places_a_side * places_a_side));
-        places.push_back(glm::dvec3(box.lower) + (part + 0.5) / double{places_a_side} * sides);
+        places.push_back(first + (part + 0.5) / double{places_a_side} * sides);
     }
     return places;
 }
@@ -143,7 +146,7 @@ RoomCamera camera_inside(const Scene& scene, float aspect_ratio, const glm::dvec
     if (is_empty(box)) {
         return {};
     }
-    std::vector<glm::dvec3> places = places_in(box);
+    std::vector<glm::dvec3> places = places_in(box, up);
     const long most = most_triangles_drawn / std::max(1, triangle_count(scene));
     places.resize(static_cast<std::size_t>(std::clamp(most, 8L, long(places.size()))));
     glm::dvec3 best = places.front();

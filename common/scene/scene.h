@@ -40,17 +40,20 @@ inline bool has_area(const Light& light) {
 // format", 1995). Colours are linear RGB.
 struct Material {
     std::string name = "default";
-    glm::vec3 diffuse{0.8f};       // Kd
-    glm::vec3 specular{0.0f};      // Ks: also the colour of a mirror
-    float shininess = 0.0f;        // Ns
-    glm::vec3 emission{0.0f};      // Ke
-    float refractive_index = 1.0f; // Ni
-    float opacity = 1.0f;          // d, or 1 - Tr
-    glm::vec3 transmission{1.0f};  // Tf
-    int illumination_model = 1;    // illum
-    std::string diffuse_map;       // map_Kd: path of the texture, empty where there is none
-    std::string cutout_map;        // map_d: where its alpha (or grey) is low, there is no surface
-    float cutoff = 0.5f;           // that is below this
+    glm::vec3 diffuse{0.8f};         // Kd
+    glm::vec3 specular{0.0f};        // Ks: also the colour of a mirror
+    float shininess = 0.0f;          // Ns
+    glm::vec3 emission{0.0f};        // Ke
+    float refractive_index = 1.0f;   // Ni
+    float opacity = 1.0f;            // d, or 1 - Tr
+    glm::vec3 transmission{1.0f};    // Tf
+    int illumination_model = 1;      // illum
+    std::string diffuse_map;         // map_Kd: path of the texture, empty where there is none
+    std::string cutout_map;          // map_d: where its alpha (or grey) is low, there is no surface
+    float cutoff = 0.5f;             // that is below this
+    std::string normal_map;          // norm: bends the normals that the light sees
+    std::string emissive_map;        // map_Ke: the surface glows by it, and lights no other
+    glm::vec3 emissive_factor{1.0f}; // Ke where there is a map_Ke, and emission is black
 };
 
 // The illumination models 3 to 7 and 9 call for ray-traced reflection; without a specular colour it
@@ -115,7 +118,8 @@ struct EnclosedPicture {
 };
 
 // Everything that a picture needs, in world space. Triangle i has the corners, normals and texture
-// coordinates 3i, 3i + 1 and 3i + 2; triangles are numbered in the order of their file.
+// coordinates 3i, 3i + 1 and 3i + 2; triangles are numbered in the order of their file. A scene of
+// files that give no texture coordinates has none.
 // Every number is finite, every material index is in range, and materials is never empty.
 struct Scene {
     std::string name;

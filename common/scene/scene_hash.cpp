@@ -53,6 +53,15 @@ public:
             add(std::filesystem::path(material.cutout_map).filename().string());
             add(material.cutoff);
         }
+        if (!material.normal_map.empty()) {
+            add("normal_map");
+            add(std::filesystem::path(material.normal_map).filename().string());
+        }
+        if (!material.emissive_map.empty()) {
+            add("emissive_map");
+            add(std::filesystem::path(material.emissive_map).filename().string());
+            add(material.emissive_factor);
+        }
     }
     void add(const Light& light) {
         add(light.position);
@@ -82,7 +91,14 @@ std::string hash_of(const Scene& scene) {
     SceneHash hash;
     hash.add(scene.corners);
     hash.add(scene.normals);
-    hash.add(scene.texture_coordinates);
+    if (scene.texture_coordinates.empty()) { // counts as if all were zero
+        hash.add(static_cast<std::uint32_t>(scene.corners.size()));
+        for (std::size_t i = 0; i < scene.corners.size(); ++i) {
+            hash.add(glm::vec2(0.0f));
+        }
+    } else {
+        hash.add(scene.texture_coordinates);
+    }
     hash.add(scene.triangle_materials);
     hash.add(scene.materials);
     hash.add(scene.lights);

@@ -174,6 +174,14 @@ std::vector<EffectCall> effects_called_for(const Scene& scene, double aspect_rat
               reason_of(scene, triangles_of_materials(scene),
                         [](const Material& material) { return !material.cutout_map.empty(); }));
     add_light_effects(calls, scene, seen);
+    calls.add(Effect::emissive_maps, reason_of(scene, seen, [](const Material& material) {
+                  return !material.emissive_map.empty();
+              }));
+    if (calls.has(Effect::diffuse) || calls.has(Effect::highlights)) {
+        calls.add(Effect::normal_maps, reason_of(scene, seen, [](const Material& material) {
+                      return !material.normal_map.empty();
+                  }));
+    }
     if (calls.has(Effect::diffuse)) {
         calls.add(Effect::textures, reason_of(scene, seen, has_texture));
         calls.add(Effect::vertex_colors,

@@ -41,8 +41,14 @@ PackedTextures pack_textures(const std::vector<Image>& textures) {
     return packed;
 }
 
-void add_textures(EffectBuffers& buffers, const Scene& scene) {
-    const LoadedTextures loaded = load_textures(scene);
+void add_numbers(EffectBuffers& buffers, const std::string& name, const std::vector<int>& numbers) {
+    if (!numbers.empty()) {
+        add(buffers, name, std::vector<std::int32_t>(numbers.begin(), numbers.end()));
+    }
+}
+
+void add_textures(EffectBuffers& buffers, const Scene& scene, const EffectSet& effects) {
+    const LoadedTextures loaded = load_textures(scene, effects);
     const PackedTextures packed = pack_textures(loaded.images);
     std::vector<glm::vec4> coordinates;
     coordinates.reserve(scene.corners.size());
@@ -51,12 +57,12 @@ void add_textures(EffectBuffers& buffers, const Scene& scene) {
                                                                       : glm::vec2(0.0f),
                                  0.0f, 0.0f);
     }
-    const std::vector<std::int32_t> numbers(loaded.index_of_material.begin(),
-                                            loaded.index_of_material.end());
     add(buffers, "triangle_coordinates", coordinates);
     add(buffers, "picture_texels", packed.texels);
     add(buffers, "pictures", packed.textures);
-    add(buffers, "material_pictures", numbers);
+    add_numbers(buffers, "material_pictures", loaded.textures);
+    add_numbers(buffers, "material_normals", loaded.normals);
+    add_numbers(buffers, "material_glows", loaded.glows);
     buffers.messages = loaded.messages;
 }
 
@@ -84,8 +90,15 @@ EffectBuffers upload_effects(const Scene& scene, const Plan& plan) {
     if (has(plan, Effect::highlights)) {
         add(buffers, "gloss_texels", pack_gloss(scene));
     }
-    if (has(plan, Effect::textures)) {
-        add_textures(buffers, scene);
+    if (reads_pictures(plan)) {
+        add_textures(buffers, scene, plan.effects);
+    }
+    if (has(plan, Effect::emissive_maps)) {
+        std::vector<glm::vec3> factors;
+        for (const Material& material : scene.materials) {
+            factors.push_back(material.emissive_factor);
+        }
+        add(buffers, "glow_factors", pack_vectors(factors));
     }
     if (has(plan, Effect::vertex_colors)) {
         std::vector<glm::vec3> colors = scene.corner_colors; // white where it was forced on

@@ -55,15 +55,17 @@ bool is_made_texture(const std::string& name);
 // it covers. Source: Williams, "Pyramidal parametrics", 1983.
 std::vector<Image> mipmap_of(const Image& image);
 
-// The images that materials of a scene name as textures, each once, and the index of its image for
-// each material, or -1. One that cannot be read is left out with a message: its material then shows
-// its Kd alone.
+// The images that materials of a scene name for effects of a plan, each once, and the index of its
+// image for each material, or -1. One that cannot be read is left out with a message: its material
+// then shows its Kd alone.
 struct LoadedTextures {
     std::vector<Image> images;
-    std::vector<int> index_of_material;
+    std::vector<int> textures; // of each material: map_Kd
+    std::vector<int> normals;  // norm; the image has its values as they are in the file
+    std::vector<int> glows;    // map_Ke
     std::vector<std::string> messages;
 };
 
-LoadedTextures load_textures(const Scene& scene);
+LoadedTextures load_textures(const Scene& scene, const EffectSet& effects);
 
 } // namespace raysteps

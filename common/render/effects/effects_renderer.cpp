@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace raysteps {
 
@@ -63,10 +64,14 @@ Image EffectsRenderer::render(const Camera& camera, int width, int height) {
     tally_ = {};
     const Texture color(TexelFormat::rgba32f, width, height);
     clear(color);
-    if (has(plan_, Effect::textures)) {
-        const View view = view_of(camera, static_cast<double>(width) / height);
-        passes_["paint_surface"].set("pixel_angle",
-                                     glm::length(view.up) / static_cast<float>(height));
+    const float pixel_angle = glm::length(view_of(camera, static_cast<double>(width) / height).up) /
+                              static_cast<float>(height);
+    for (const auto& [effect, pass] : {std::pair{Effect::textures, "paint_surface"},
+                                       {Effect::normal_maps, "bend_normals"},
+                                       {Effect::emissive_maps, "add_glow"}}) {
+        if (has(plan_, effect)) {
+            passes_[pass].set("pixel_angle", pixel_angle);
+        }
     }
     const Media media = has(plan_, Effect::refraction) ? Media::kept : Media::none;
     for (int sample = 0; sample < plan_.camera_samples; ++sample) {
@@ -163,6 +168,9 @@ void EffectsRenderer::shade(Branch& branch, const Texture& hits, const Texture& 
         draw(at_hits("add_sky", branch, hits), added);
     }
     retire(*branch.live, passes_["select_misses"].set("hits", hits));
+    if (has(plan_, Effect::emissive_maps)) {
+        draw(at_hits("add_glow", branch, hits), added);
+    }
     if (is_lit(plan_)) {
         lamps_.light({branch.rays, hits, branch.weights, *branch.live}, light, sample, passes_,
                      trace_, scene_, tally_);

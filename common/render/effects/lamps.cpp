@@ -57,6 +57,13 @@ public:
         paint_ = std::move(tinted);
     }
 
+    // The normal of each surface from its picture, for all lamps.
+    void bend_normals() {
+        normals_.emplace(TexelFormat::rgba32f, width_, height_);
+        draw(set_paths(passes_["bend_normals"], paths_),
+             {.textures = {*normals_}, .live = &paths_.live});
+    }
+
     void light(const LampPoint& lamp, const Texture& color, long asking) {
         std::optional<Texture> visible;
         if (has(plan_, Effect::shadows)) {
@@ -89,6 +96,9 @@ private:
         rays.coherence = paths_.rays.coherence; // from neighbouring hits to one lamp
         clear(rays.directions);                 // so that pixels without a path have no ray
         Program& program = set_lamp(set_paths(passes_["cast_lamp_rays"], paths_), lamp);
+        if (normals_) {
+            program.set("bent_normals", *normals_);
+        }
         draw(program, {.textures = {rays.origins, rays.directions}, .live = &paths_.live});
         return rays;
     }
@@ -139,6 +149,9 @@ private:
         if (paint_) {
             program.set("paint", *paint_);
         }
+        if (normals_) {
+            program.set("bent_normals", *normals_);
+        }
         draw(program, {.textures = {color}, .live = &paths_.live, .blend = Blend::add});
     }
 
@@ -151,6 +164,7 @@ private:
     int width_;
     int height_;
     std::optional<Texture> paint_;
+    std::optional<Texture> normals_;
 };
 
 } // namespace
@@ -170,6 +184,9 @@ void Lamps::light(const PathsAtHits& paths, const Texture& color, int sample, Pl
     }
     if (has(plan_, Effect::vertex_colors)) {
         work.tint();
+    }
+    if (has(plan_, Effect::normal_maps)) {
+        work.bend_normals();
     }
     for (const Light& light : lights_) {
         if (light.color == glm::vec3(0.0f)) {

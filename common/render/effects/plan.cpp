@@ -55,6 +55,11 @@ const std::vector<EffectRow>& list_effects() {
          {},
          "surfaces with holes (map_d, alpha; the walks' part cutout/pictures.glsl)"},
         {Effect::vertex_colors, "vertex_colors", {"tint_surface"}, "colours of vertices"},
+        {Effect::emissive_maps,
+         "emissive_maps",
+         {"add_glow"},
+         "surfaces that glow by a picture (map_Ke)"},
+        {Effect::normal_maps, "normal_maps", {"bend_normals"}, "normals bent by a picture (norm)"},
     };
     return rows;
 }
@@ -107,6 +112,7 @@ EffectSet without_the_baseless(EffectSet effects, const EffectSet& forced_off) {
     const bool lit = effects.contains(Effect::diffuse) || effects.contains(Effect::highlights);
     needs(Effect::textures, effects.contains(Effect::diffuse));
     needs(Effect::vertex_colors, effects.contains(Effect::diffuse));
+    needs(Effect::normal_maps, lit);
     needs(Effect::shadows, lit);
     needs(Effect::soft_shadows, effects.contains(Effect::shadows));
     needs(Effect::glass_shadows,
@@ -145,7 +151,9 @@ std::string visibility_of(const Plan& plan) {
 
 std::vector<PlannedPass> lamp_passes(const Plan& plan) {
     const std::string lamp = has(plan, Effect::soft_shadows) ? "lamp/area.glsl" : "lamp/point.glsl";
-    const Parts parts{{"lamp", lamp}, {"visibility", visibility_of(plan)}};
+    const std::string normal =
+        has(plan, Effect::normal_maps) ? "normal/mapped.glsl" : "normal/interpolated.glsl";
+    const Parts parts{{"lamp", lamp}, {"normal", normal}, {"visibility", visibility_of(plan)}};
     std::vector<PlannedPass> passes{{"select_all", {}}};
     if (has(plan, Effect::textures)) {
         passes.push_back({"paint_surface", {}});
@@ -155,8 +163,11 @@ std::vector<PlannedPass> lamp_passes(const Plan& plan) {
     if (has(plan, Effect::vertex_colors)) {
         passes.push_back({"tint_surface", {{"paint", by_texture}}});
     }
+    if (has(plan, Effect::normal_maps)) {
+        passes.push_back({"bend_normals", {}});
+    }
     if (has(plan, Effect::shadows)) {
-        passes.push_back({"cast_lamp_rays", {{"lamp", lamp}}});
+        passes.push_back({"cast_lamp_rays", {{"lamp", lamp}, {"normal", normal}}});
         passes.push_back({"select_rays", {}});
     }
     if (has(plan, Effect::glass_shadows)) {
@@ -213,6 +224,9 @@ std::vector<PlannedPass> passes_of(const Plan& plan) {
         all.push_back({"add_sky", {}});
     }
     all.push_back({"select_misses", {}});
+    if (has(plan, Effect::emissive_maps)) {
+        all.push_back({"add_glow", {}});
+    }
     const auto append = [&](const std::vector<PlannedPass>& passes) {
         for (const PlannedPass& pass : passes) {
             const bool is_there = std::any_of(all.begin(), all.end(), [&](const PlannedPass& one) {

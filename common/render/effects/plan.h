@@ -26,6 +26,8 @@ enum class Effect {
     absorption,
     cutouts,
     vertex_colors,
+    emissive_maps,
+    normal_maps,
 };
 
 using EffectSet = std::set<Effect>;
@@ -112,6 +114,12 @@ inline bool is_lit(const Plan& plan) {
 // Whether paths go on after their first hit.
 inline bool goes_on(const Plan& plan) {
     return has(plan, Effect::mirrors) || has(plan, Effect::refraction);
+}
+
+// Whether it reads the texture coordinates of triangles and pictures by them.
+inline bool reads_pictures(const Plan& plan) {
+    return has(plan, Effect::textures) || has(plan, Effect::normal_maps) ||
+           has(plan, Effect::emissive_maps);
 }
 
 inline bool needs_glass(const Plan& plan) {

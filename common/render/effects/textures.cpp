@@ -2,6 +2,7 @@
 
 #include "basics/error.h"
 #include "basics/text.h"
+#include "image/color.h"
 #include "scene/pictures.h"
 
 #include <glm/common.hpp>
@@ -163,29 +164,75 @@ std::vector<Image> mipmap_of(const Image& image) {
     return levels;
 }
 
-LoadedTextures load_textures(const Scene& scene) {
-    LoadedTextures result;
-    std::map<std::string, int> index_of_name;
-    for (const Material& material : scene.materials) {
-        if (!has_texture(material)) {
-            result.index_of_material.push_back(no_texture);
-            continue;
-        }
-        const auto [entry, is_new] =
-            index_of_name.try_emplace(material.diffuse_map, static_cast<int>(index_of_name.size()));
-        if (is_new) {
-            entry->second = no_texture;
-            try {
-                result.images.push_back(load_texture(scene, material.diffuse_map));
-                entry->second = static_cast<int>(result.images.size()) - 1;
-            } catch (const InputError& error) {
-                result.messages.push_back("Material " + material.name +
-                                          ": its texture is left out. " + error.what());
-            }
-        }
-        result.index_of_material.push_back(entry->second);
+namespace {
+
+enum class Meaning { color, values };
+
+// Parts of a normal are no brightness: they are meant as they are stored.
+Image as_stored(Image image) {
+    for (glm::vec3& pixel : image.pixels) {
+        pixel = {srgb_from_linear(pixel.x), srgb_from_linear(pixel.y), srgb_from_linear(pixel.z)};
     }
-    return result;
+    return image;
+}
+
+class TextureLoader {
+public:
+    explicit TextureLoader(const Scene& scene) : scene_(scene) {}
+
+    // The number of each material's image.
+    std::vector<int> load(std::string Material::*map, const std::string& what, Meaning meaning) {
+        std::map<std::string, int> number_of_name;
+        std::vector<int> numbers;
+        for (const Material& material : scene_.materials) {
+            if ((material.*map).empty()) {
+                numbers.push_back(no_texture);
+                continue;
+            }
+            const auto [entry, is_new] = number_of_name.try_emplace(material.*map, no_texture);
+            if (is_new) {
+                entry->second = read(material, material.*map, what, meaning);
+            }
+            numbers.push_back(entry->second);
+        }
+        return numbers;
+    }
+
+    LoadedTextures loaded;
+
+private:
+    int read(const Material& material, const std::string& name, const std::string& what,
+             Meaning meaning) {
+        try {
+            Image image = load_texture(scene_, name);
+            loaded.images.push_back(meaning == Meaning::values ? as_stored(std::move(image))
+                                                               : std::move(image));
+            return static_cast<int>(loaded.images.size()) - 1;
+        } catch (const InputError& error) {
+            loaded.messages.push_back("Material " + material.name + ": its " + what +
+                                      " is left out. " + error.what());
+            return no_texture;
+        }
+    }
+
+    const Scene& scene_;
+};
+
+} // namespace
+
+LoadedTextures load_textures(const Scene& scene, const EffectSet& effects) {
+    TextureLoader loader(scene);
+    if (effects.contains(Effect::textures)) {
+        loader.loaded.textures = loader.load(&Material::diffuse_map, "texture", Meaning::color);
+    }
+    if (effects.contains(Effect::normal_maps)) {
+        loader.loaded.normals = loader.load(&Material::normal_map, "normal map", Meaning::values);
+    }
+    if (effects.contains(Effect::emissive_maps)) {
+        loader.loaded.glows =
+            loader.load(&Material::emissive_map, "emissive picture", Meaning::color);
+    }
+    return std::move(loader.loaded);
 }
 
 } // namespace raysteps

@@ -213,6 +213,8 @@ Scene to_scene(const MeshFile& mesh, const fs::path& path, Origin origin) {
     for (std::size_t i = 0; i < materials.size(); ++i) {
         materials[i].diffuse_map = picture_path(mesh, materials[i].diffuse_map, path, messages);
         materials[i].cutout_map = picture_path(mesh, materials[i].cutout_map, path, messages);
+        materials[i].normal_map = picture_path(mesh, materials[i].normal_map, path, messages);
+        materials[i].emissive_map = picture_path(mesh, materials[i].emissive_map, path, messages);
         materials[i].name = std::to_string(i);
     }
     Scene scene = make_scene(to_obj_file(mesh, path, origin), std::move(materials));

@@ -158,6 +158,9 @@ void visit_fields(Archive& archive, Kind& material) {
     archive.visit(material.diffuse_map);
     archive.visit(material.cutout_map);
     archive.visit(material.cutoff);
+    archive.visit(material.normal_map);
+    archive.visit(material.emissive_map);
+    archive.visit(material.emissive_factor);
 }
 
 template <class Archive, class Kind>
@@ -232,6 +235,7 @@ void bring_in_range(Material& material) {
     material.opacity = in_range(material.opacity, 0.0f, 1.0f, 1.0f);
     material.illumination_model = std::clamp(material.illumination_model, 0, 10);
     material.cutoff = in_range(material.cutoff, 0.0f, 1.0f, 0.5f);
+    material.emissive_factor = in_range(material.emissive_factor, 1e6f);
 }
 
 bool is_usable(const Camera& camera) {

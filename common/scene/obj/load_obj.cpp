@@ -94,6 +94,13 @@ Material to_material(const tinyobj::material_t& source) {
     material.illumination_model = source.illum;
     material.diffuse_map = source.diffuse_texname;
     material.cutout_map = source.alpha_texname;
+    material.normal_map = source.normal_texname;
+    material.emissive_map = source.emissive_texname;
+    if (!material.emissive_map.empty()) { // what glows by a picture does not glow all over
+        if (material.emission != glm::vec3(0.0f))
+            material.emissive_factor = material.emission;
+        material.emission = glm::vec3(0.0f);
+    }
     return material;
 }
 
@@ -131,9 +138,13 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
     list.insert(list.end(), more.begin(), more.end());
 }
 
-Scene read_scene(std::string_view text, const std::filesystem::path& path, Origin origin) {
+ObjFile read_text(std::string_view text, const std::filesystem::path& path, Origin origin) {
     check_is_text(text, path);
-    const ObjFile file = read_obj(text, path, origin);
+    return read_obj(text, path, origin);
+}
+
+Scene scene_of(ObjFile file) {
+    const std::filesystem::path path = file.path;
     std::vector<std::string> messages = file.findings.sentences(path);
     const MtlFiles mtl_files = read_mtl_files(file);
     append(messages, mtl_files.findings.sentences(path));
@@ -144,7 +155,7 @@ Scene read_scene(std::string_view text, const std::filesystem::path& path, Origi
         materials.insert(materials.end(), parsed.materials.begin(), parsed.materials.end());
         append(messages, parsed.messages);
     }
-    Scene scene = make_scene(file, std::move(materials));
+    Scene scene = make_scene(std::move(file), std::move(materials));
     append(messages, scene.messages);
     scene.messages = std::move(messages);
     return scene;
@@ -169,11 +180,13 @@ auto guarded(const std::filesystem::path& path, const Step& step) {
 } // namespace
 
 Scene load_obj(const std::filesystem::path& path, Origin origin) {
-    return guarded(path, [&] { return read_scene(read_file(path, most_obj_bytes), path, origin); });
+    return guarded(path, [&] { // and the text is gone before there is a scene
+        return scene_of(read_text(read_file(path, most_obj_bytes), path, origin));
+    });
 }
 
 Scene parse_obj(std::string_view text, const std::filesystem::path& path, Origin origin) {
-    return guarded(path, [&] { return read_scene(text, path, origin); });
+    return guarded(path, [&] { return scene_of(read_text(text, path, origin)); });
 }
 
 ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
@@ -183,7 +196,8 @@ ParsedMtl parse_mtl(std::string_view text, const std::filesystem::path& path,
         const CleanMtl clean = clean_mtl(text);
         ParsedMtl parsed{read_clean_mtl(clean.text), clean.findings.sentences(path)};
         for (Material& material : parsed.materials) {
-            for (std::string* map : {&material.diffuse_map, &material.cutout_map}) {
+            for (std::string* map : {&material.diffuse_map, &material.cutout_map,
+                                     &material.normal_map, &material.emissive_map}) {
                 const MtlTexture texture = find_texture(*map, path, inside);
                 *map = texture.path;
                 if (!texture.message.empty())
@@ -238,20 +252,29 @@ bool has_no_area(std::span<const glm::vec3> polygon, std::span<const PolygonTria
 
 class SceneMaker {
 public:
-    SceneMaker(const ObjFile& file, std::vector<Material> materials) : file_(file) {
-        material_of_name_ = find_materials(file.material_names, materials);
+    SceneMaker(ObjFile file, std::vector<Material> materials) : file_(std::move(file)) {
+        material_of_name_ = find_materials(file_.material_names, materials);
         scene_.materials = std::move(materials);
+        std::size_t triangles = 0; // at most
+        for (const ObjFace& face : file_.faces)
+            triangles += static_cast<std::size_t>(std::max(face.corner_count - 2, 0));
+        scene_.corners.reserve(3 * triangles);
+        scene_.texture_coordinates.reserve(file_.texture_coordinates.empty() ? 0 : 3 * triangles);
+        scene_.corner_colors.reserve(file_.colors.empty() ? 0 : 3 * triangles);
+        origins_.reserve(3 * triangles);
+        scene_.triangle_materials.reserve(triangles);
+        scene_.faces.reserve(triangles);
     }
 
-    void add_face(const ObjFace& face);
-    Scene finish();
+    Scene make();
 
 private:
+    void add_face(const ObjFace& face);
     void begin_run(int object);
-    void add_corner(const ObjCorner& corner, int smoothing_group);
+    void add_corner(std::size_t place, int smoothing_group);
     int material_of(const ObjFace& face);
 
-    const ObjFile& file_;
+    ObjFile file_;
     std::vector<int> material_of_name_;
     std::vector<CornerOrigin> origins_; // of each corner of the scene
     ObjFindings findings_;
@@ -286,7 +309,7 @@ void SceneMaker::add_face(const ObjFace& face) {
     begin_run(face.object);
     for (const PolygonTriangle& triangle : triangles) {
         for (const int corner : triangle)
-            add_corner(corners[corner], face.smoothing_group);
+            add_corner(face.first_corner + static_cast<std::size_t>(corner), face.smoothing_group);
         scene_.triangle_materials.push_back(material);
         scene_.faces.push_back(face.number);
     }
@@ -301,14 +324,16 @@ void SceneMaker::begin_run(int object) {
                            file_.primitives.empty() ? not_given : file_.primitives[index]});
 }
 
-void SceneMaker::add_corner(const ObjCorner& corner, int smoothing_group) {
+void SceneMaker::add_corner(std::size_t place, int smoothing_group) {
+    const ObjCorner& corner = file_.corners[place];
     const int index = corner.texture_coordinate;
     scene_.corners.push_back(file_.positions[corner.position]);
-    scene_.texture_coordinates.push_back(index == not_given ? glm::vec2(0.0f)
-                                                            : file_.texture_coordinates[index]);
+    if (!file_.texture_coordinates.empty())
+        scene_.texture_coordinates.push_back(index == not_given ? glm::vec2(0.0f)
+                                                                : file_.texture_coordinates[index]);
     if (!file_.colors.empty())
         scene_.corner_colors.push_back(file_.colors[corner.position]);
-    origins_.push_back({corner, smoothing_group});
+    origins_.push_back({static_cast<std::uint32_t>(place), smoothing_group});
 }
 
 int SceneMaker::material_of(const ObjFace& face) {
@@ -322,7 +347,10 @@ int SceneMaker::material_of(const ObjFace& face) {
     return material;
 }
 
-Scene SceneMaker::finish() {
+Scene SceneMaker::make() {
+    for (const ObjFace& face : file_.faces)
+        add_face(face);
+    file_.faces = {}; // millions of triangles need the room for their normals
     scene_.name = file_.path.stem().string();
     scene_.origin = file_.origin;
     scene_.models.push_back({file_.path.string()});
@@ -339,11 +367,8 @@ Scene SceneMaker::finish() {
 
 } // namespace
 
-Scene make_scene(const ObjFile& file, std::vector<Material> materials) {
-    SceneMaker maker(file, std::move(materials));
-    for (const ObjFace& face : file.faces)
-        maker.add_face(face);
-    return maker.finish();
+Scene make_scene(ObjFile file, std::vector<Material> materials) {
+    return SceneMaker(std::move(file), std::move(materials)).make();
 }
 
 } // namespace raysteps

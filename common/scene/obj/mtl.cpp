@@ -85,11 +85,11 @@ std::string complaint(const Rule& rule, std::string_view word) {
 
 // The rest of MTL and its later extensions for other kinds of shading. Each is told where it asks
 // for something; those of light from all around, which there is none of here, ask for nothing.
-constexpr std::array<std::string_view, 28> known_but_not_used = {
-    "Km",     "Pc",      "Pcr",      "Pm",       "Pr",       "Ps",       "aniso",
-    "anisor", "bump",    "decal",    "disp",     "map_Bump", "map_Disp", "map_Ke",
-    "map_Kt", "map_Ks",  "map_Ni",   "map_Ns",   "map_Pm",   "map_Pr",   "map_Ps",
-    "map_Tf", "map_aat", "map_bump", "map_disp", "map_Tr",   "norm",     "refl"};
+constexpr std::array<std::string_view, 26> known_but_not_used = {
+    "Km",      "Pc",       "Pcr",      "Pm",     "Pr",       "Ps",       "aniso",
+    "anisor",  "bump",     "decal",    "disp",   "map_Bump", "map_Disp", "map_Kt",
+    "map_Ks",  "map_Ni",   "map_Ns",   "map_Pm", "map_Pr",   "map_Ps",   "map_Tf",
+    "map_aat", "map_bump", "map_disp", "map_Tr", "refl"};
 constexpr std::array<std::string_view, 3> of_ambient_light = {"Ka", "map_Ka", "sharpness"};
 
 bool asks_for_nothing(const std::vector<std::string_view>& words) {
@@ -107,7 +107,6 @@ bool is_known_keyword_of_mtl(std::string_view keyword) {
 class MtlCleaner {
 public:
     void take(const TextLine& line);
-    void end_material();
 
     CleanMtl clean;
 
@@ -120,7 +119,6 @@ private:
     std::string name_;
     std::int64_t line_ = 0;
     bool has_opacity_ = false;
-    bool glows_by_picture_ = false;
 };
 
 void MtlCleaner::take(const TextLine& line) {
@@ -135,26 +133,17 @@ void MtlCleaner::take(const TextLine& line) {
         note("A line before the first newmtl belongs to no material, so it was left out");
     else if (has_mtl_values(keyword))
         take_values(words);
-    else if (keyword == "map_Kd" || keyword == "map_d")
+    else if (keyword == "map_Kd" || keyword == "map_d" || keyword == "map_Ke" || keyword == "norm")
         clean.text.append(keyword).append(" ").append(after_first_word(line.text)).append("\n");
     else if (asks_for_nothing(words))
         return;
-    else if (is_known_keyword_of_mtl(keyword)) {
+    else if (is_known_keyword_of_mtl(keyword))
         note(std::string(keyword) + " is not shown");
-        glows_by_picture_ = glows_by_picture_ || keyword == "map_Ke";
-    } else
+    else
         note("MTL has no statement " + in_quotes(keyword) + ", so the line was left out");
 }
 
-// What glows by a picture would glow all over without it.
-void MtlCleaner::end_material() {
-    if (glows_by_picture_)
-        clean.text += statement("Ke", glm::vec3(0.0f));
-    glows_by_picture_ = false;
-}
-
 void MtlCleaner::begin_material(std::string_view name) {
-    end_material();
     Material material;
     if (name.empty())
         note("newmtl gives no name, so the material is called \"default\"");
@@ -194,15 +183,27 @@ bool is_file_inside(const std::filesystem::path& folder, std::string_view name) 
     return path && std::filesystem::is_regular_file(*path, failure);
 }
 
-// The name under which a material file is there; the name itself where it is not.
-std::string found_library(std::string_view name, const std::filesystem::path& obj_path) {
+// The name under which a material file is there; the name itself where it is not, and all that were
+// tried.
+struct FoundLibrary {
+    std::string name;
+    std::string tried;
+};
+
+FoundLibrary found_library(std::string_view name, const std::filesystem::path& obj_path) {
     const std::filesystem::path folder = folder_of(obj_path);
-    const std::string beside(last_word_of_path(name));
-    const std::string same = obj_path.stem().string() + ".mtl";
-    for (const std::string& place : {std::string(name), beside, same})
+    std::vector<std::string> places{std::string(name)};
+    for (const std::string& place :
+         {std::string(last_word_of_path(name)), obj_path.stem().string() + ".mtl"})
+        if (std::find(places.begin(), places.end(), place) == places.end())
+            places.push_back(place);
+    std::string tried;
+    for (const std::string& place : places) {
         if (is_file_inside(folder, place))
-            return place;
-    return std::string(name);
+            return {place, ""};
+        tried += (tried.empty() ? "" : ", ") + (folder / place).string();
+    }
+    return {std::string(name), tried};
 }
 
 // A reason as the end of a sentence.
@@ -319,7 +320,6 @@ CleanMtl clean_mtl(std::string_view text) {
     MtlCleaner cleaner;
     while (const std::optional<TextLine> line = lines.next())
         cleaner.take(*line);
-    cleaner.end_material();
     return std::move(cleaner.clean);
 }
 
@@ -329,7 +329,7 @@ MtlFiles read_mtl_files(const ObjFile& file) {
     const std::filesystem::path folder = folder_of(file.path);
     for (const ObjLibrary& library : file.libraries) {
         for (const std::string_view named : names_in(library, folder)) {
-            const std::string name = found_library(named, file.path);
+            const auto [name, tried] = found_library(named, file.path);
             if (name != named)
                 result.findings.note("The material file " + in_quotes(named) +
                                          " is not there, so " + in_quotes(name) + " was read",
@@ -349,7 +349,8 @@ MtlFiles read_mtl_files(const ObjFile& file) {
             else
                 result.findings.note("The material file " + in_quotes(name) +
                                          " was not read, because " +
-                                         without_full_stop(outcome.problem),
+                                         without_full_stop(outcome.problem) +
+                                         (tried.empty() ? "" : " (tried " + tried + ")"),
                                      library.line);
         }
     }

@@ -2,6 +2,7 @@
 
 #include "scene/obj/obj_file.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -16,7 +17,7 @@ namespace raysteps {
 
 // Three coordinates of a vertex, in double. Throws InputError where one is missing, no number, or
 // greater than greatest_coordinate.
-glm::dvec3 checked_position(const std::vector<std::string_view>& words, const std::string& where);
+glm::dvec3 checked_position(const std::vector<std::string_view>& words, const ObjPlace& where);
 
 // The colour behind the coordinates of a vertex, in sRGB from 0 to 1, as linear RGB; white where it
 // is none.
@@ -24,18 +25,18 @@ glm::vec3 checked_color(const std::vector<std::string_view>& words);
 
 // One or two coordinates; a third is left out. Throws InputError as for a vertex.
 std::string checked_texture_coordinate(const std::vector<std::string_view>& words,
-                                       const std::string& where);
+                                       const ObjPlace& where);
 
 // Three components, all 0 where they give no direction: a surface can do without a normal.
 std::string checked_normal(const std::vector<std::string_view>& words);
 
 // Corners of the forms 1, 1/2, 1//3 and 1/2/3. Throws InputError where an index is not a whole
 // number, 0, or beyond 32 bits.
-std::string checked_face(const std::vector<std::string_view>& words, const std::string& where);
+std::string checked_face(const std::vector<std::string_view>& words, const ObjPlace& where);
 
 // Where a corner of a triangle comes from.
 struct CornerOrigin {
-    ObjCorner corner;
+    std::uint32_t corner = 0; // of ObjFile::corners
     int smoothing_group = 0;
 };
 

@@ -135,6 +135,7 @@ std::string_view LineReader::take_line() {
 
 std::vector<std::string_view> split_words(std::string_view text) {
     std::vector<std::string_view> words;
+    words.reserve(8);
     std::size_t start = text.find_first_not_of(spaces);
     while (start != std::string_view::npos) {
         const std::size_t end = std::min(text.find_first_of(spaces, start), text.size());
@@ -264,9 +265,26 @@ void ObjStatements::keep_smoothing_group(const std::vector<std::string_view>& wo
                        line_.number);
 }
 
+namespace {
+
+// Of the usual form, one a line.
+std::size_t count_faces(std::string_view text) {
+    std::size_t count = text.starts_with("f ") ? 1 : 0;
+    for (std::size_t i = text.find("\nf "); i != std::string_view::npos;
+         i = text.find("\nf ", i + 1))
+        ++count;
+    return count;
+}
+
+} // namespace
+
 ObjReading::ObjReading(std::string_view text, const std::filesystem::path& path)
     : statements_(text, path) {
     file_.path = path;
+    // An array that grows needs room for three of itself.
+    const std::size_t faces = count_faces(text);
+    file_.faces.reserve(faces);
+    file_.corners.reserve(3 * faces);
 }
 
 void ObjReading::take_texture_coordinate(float x, float y) {
@@ -363,7 +381,7 @@ void ObjReading::drop_lacking_normals() {
 float ObjReading::checked(float coordinate) const {
     if (std::abs(coordinate) <= static_cast<float>(greatest_coordinate))
         return coordinate;
-    throw InputError(statements_.where() +
+    throw InputError(statements_.where().text() +
                      "a coordinate is not a number between -1.8e18 and 1.8e18. Check the export.");
 }
 
@@ -373,8 +391,9 @@ int ObjReading::to_index(int number, std::size_t count, const char* what) const 
     const std::int64_t index = static_cast<std::int64_t>(count) + number;
     if (index >= 0)
         return static_cast<int>(index);
-    throw InputError(statements_.where() + "face names " + what + " " + std::to_string(number) +
-                     ", but only " + std::to_string(count) + " stand above it. Check the export.");
+    throw InputError(statements_.where().text() + "face names " + what + " " +
+                     std::to_string(number) + ", but only " + std::to_string(count) +
+                     " stand above it. Check the export.");
 }
 
 void ObjReading::check_indices(const ObjFace& face) const {

@@ -16,6 +16,14 @@ namespace raysteps {
 // "bunny.obj:1204: ", the place that a sentence is about.
 std::string place(const std::filesystem::path& path, std::int64_t line);
 
+// The same, put into words where a sentence needs it only.
+struct ObjPlace {
+    const std::filesystem::path& path;
+    std::int64_t line;
+
+    std::string text() const { return place(path, line); }
+};
+
 // What findings in a file are counted by.
 enum class FindingsCount { lines, faces };
 
@@ -146,7 +154,7 @@ public:
 
     // Of the statement that next gave last.
     std::int64_t line() const { return line_.number; }
-    std::string where() const { return place(path_, line_.number); }
+    ObjPlace where() const { return {path_, line_.number}; }
     int smoothing_group() const { return smoothing_group_; }
     int face_number() const { return face_number_; }
     int object() const { return object_; }

@@ -207,6 +207,9 @@ std::vector<std::array<int, 3>> cut_ears(std::span<const glm::dvec2> points) {
 }
 
 std::vector<PolygonTriangle> triangulate_polygon(std::span<const glm::vec3> corners) {
+    if (corners.size() == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
+        corners[2] != corners[0])
+        return cut_fan(3); // as below, but most polygons of large models are such
     const std::vector<int> different = different_corners(corners);
     if (different.size() < 3)
         return {};

@@ -150,6 +150,8 @@ float to_linear(double value) {
                                                  : std::pow((clamped + 0.055) / 1.055, 2.4));
 }
 
+constexpr std::uint64_t most_reserved = 1 << 26; // of elements
+
 class PlyReading {
 public:
     PlyReading(std::string_view bytes, const std::filesystem::path& path)
@@ -167,9 +169,14 @@ public:
         }
         for (const PlyElement& element : header_.elements) {
             numbers_.expect(element.count, least_bytes_of(element));
+            // An array that grows needs room for three of itself.
+            const std::size_t usual = std::min<std::uint64_t>(element.count, most_reserved);
             if (element.name == "vertex") {
+                positions_.reserve(usual);
                 read_vertices(element);
             } else if (element.name == "face" || element.name == "tristrips") {
+                file_.faces.reserve(file_.faces.size() + usual);
+                file_.corners.reserve(file_.corners.size() + 3 * usual);
                 read_faces(element);
             } else {
                 skip(element);
@@ -421,6 +428,7 @@ private:
         for (const glm::dvec3& position : positions_) {
             file_.positions.emplace_back(position - file_.origin);
         }
+        positions_ = {};
     }
 
     PlyHeader header_;
@@ -448,36 +456,54 @@ Material material_of(const PlyReading& reading, const ObjFile& file,
     return material;
 }
 
-Scene read_scene(std::string_view bytes, const std::filesystem::path& path, Origin origin) {
+// What the file says, and its material.
+struct PlyModel {
+    ObjFile file;
+    Material material;
+    std::vector<std::string> messages;
+};
+
+PlyModel read_model(std::string_view bytes, const std::filesystem::path& path, Origin origin) {
     PlyReading reading(bytes, path);
-    ObjFile file = reading.read(origin);
-    std::vector<std::string> messages = reading.messages();
-    const std::vector<std::string> found = file.findings.sentences(path, FindingsCount::faces);
-    messages.insert(messages.end(), found.begin(), found.end());
-    const Material material = material_of(reading, file, messages);
-    file.material_names = {material.name};
-    for (ObjFace& face : file.faces) {
+    PlyModel model{reading.read(origin), {}, reading.messages()};
+    const std::vector<std::string> found =
+        model.file.findings.sentences(path, FindingsCount::faces);
+    model.messages.insert(model.messages.end(), found.begin(), found.end());
+    model.material = material_of(reading, model.file, model.messages);
+    model.file.material_names = {model.material.name};
+    for (ObjFace& face : model.file.faces) {
         face.material_name = 0;
     }
-    Scene scene = make_scene(file, {material});
-    messages.insert(messages.end(), scene.messages.begin(), scene.messages.end());
-    scene.messages = std::move(messages);
+    return model;
+}
+
+Scene scene_of(PlyModel model) {
+    Scene scene = make_scene(std::move(model.file), {model.material});
+    model.messages.insert(model.messages.end(), scene.messages.begin(), scene.messages.end());
+    scene.messages = std::move(model.messages);
     return scene;
+}
+
+template <class Step>
+Scene guarded(const std::filesystem::path& path, const Step& step) {
+    try {
+        return step();
+    } catch (const std::bad_alloc&) {
+        throw MachineError(path.string() + ": is too large for the memory of this machine. Close "
+                                           "other programs, or load a smaller model.");
+    }
 }
 
 } // namespace
 
 Scene load_ply(const std::filesystem::path& path, Origin origin) {
-    return parse_ply(read_file(path, most_obj_bytes), path, origin);
+    return guarded(path, [&] { // and the bytes are gone before there is a scene
+        return scene_of(read_model(read_file(path, most_obj_bytes), path, origin));
+    });
 }
 
 Scene parse_ply(std::string_view bytes, const std::filesystem::path& path, Origin origin) {
-    try {
-        return read_scene(bytes, path, origin);
-    } catch (const std::bad_alloc&) {
-        throw MachineError(path.string() + ": is too large for the memory of this machine. Close "
-                                           "other programs, or load a smaller model.");
-    }
+    return guarded(path, [&] { return scene_of(read_model(bytes, path, origin)); });
 }
 
 } // namespace raysteps

@@ -365,8 +365,8 @@ Scene read_models(const toml::table& file, const fs::path& path, int scale_expon
     scene.origin =
         origin != nullptr ? toml_origin(*origin, scale_exponent) : offset_of(box_in_world(loaded));
     for (std::size_t i = 0; i < loaded.size(); ++i) {
-        scene = append_model(std::move(scene), loaded[i], loaded[i].models.front().transform);
-        loaded[i] = {};
+        const glm::mat4 transform = loaded[i].models.front().transform;
+        scene = append_model(std::move(scene), std::move(loaded[i]), transform);
         check_extent(scene, sources[i]);
     }
     for (Material& material : scene.materials) {

@@ -52,16 +52,14 @@ std::vector<int> triangles_on(Sides side, const KdEvents& events, const std::vec
     return triangles;
 }
 
-namespace {
-
-// Does the split pay by itself? By area, where it costs less than a leaf; in the middle, where a
-// side is rid of some triangle.
 bool is_good(const KdPlane& plane, std::size_t count, const KdOptions& options) {
     if (options.split == KdSplit::median) {
         return plane.lower_count < count || plane.upper_count < count;
     }
     return plane.cost < options.intersection_cost * static_cast<double>(count);
 }
+
+namespace {
 
 // Where the bud is split; nowhere, where it becomes a leaf.
 KdPlane plane_of(const KdPlan& plan, const KdBud& bud) {
@@ -89,15 +87,15 @@ constexpr std::size_t most_bytes_of_any = std::size_t{8} << 30;
 
 // A leaf is paid for with its own node, box and ropes and with those of an inner node: there is one
 // of those less than there are leaves.
-void pay_for_leaf(KdPlan& plan, std::size_t count) {
+void pay_for_leaf(const KdPlan& plan, std::size_t count) {
     const std::size_t bytes = 2 * 16 + 2 * 32 + 24 + 4 * count;
     const std::size_t most = std::min(plan.options.most_bytes, most_bytes_of_any);
-    if ((plan.bytes += bytes) > most) {
+    if ((plan.spent.bytes += bytes) > most) {
         throw InputError("The kd-tree would need more than " + std::to_string(most >> 20) +
                          " MiB. Raise --leaf-triangles, lower --depth, or raise --memory-limit.");
     }
     // A leaf has six ropes, the longest of its arrays but for the references.
-    const std::size_t texels = std::max(6 * ++plan.leaves, plan.references += count);
+    const std::size_t texels = std::max(6 * ++plan.spent.leaves, plan.spent.references += count);
     if (texels > static_cast<std::size_t>(plan.options.most_texels)) {
         throw MachineError(
             "A kd-tree with arrays of " + std::to_string(texels) +
@@ -121,26 +119,25 @@ KdTree with_leaf(KdTree tree, const KdBud& bud) {
     return tree;
 }
 
-// The tree with two new nodes at its end, the children of the bud's node.
-KdTree with_children(KdTree tree, const KdBud& bud, const KdPlane& plane) {
-    KdNode& node = tree.nodes[static_cast<std::size_t>(bud.node)];
-    node.axis = plane.axis;
-    node.split = plane.position;
-    node.first_child = static_cast<int>(tree.nodes.size());
+} // namespace
+
+KdTree with_children(KdTree tree, int node, const Box& box, const KdPlane& plane) {
+    KdNode& parent = tree.nodes[static_cast<std::size_t>(node)];
+    parent.axis = plane.axis;
+    parent.split = plane.position;
+    parent.first_child = static_cast<int>(tree.nodes.size());
     KdNode child;
-    child.parent = bud.node;
+    child.parent = node;
     tree.nodes.insert(tree.nodes.end(), {child, child});
-    Box lower = bud.box;
-    Box upper = bud.box;
+    Box lower = box;
+    Box upper = box;
     lower.upper[plane.axis] = plane.position;
     upper.lower[plane.axis] = plane.position;
     tree.boxes.insert(tree.boxes.end(), {lower, upper});
     return tree;
 }
 
-} // namespace
-
-KdGrowth grow(KdPlan& plan, KdBud first, std::size_t fewest) {
+KdGrowth grow(const KdPlan& plan, KdBud first, std::size_t fewest) {
     KdGrowth growth;
     KdTree& tree = growth.tree;
     first.node = 0;
@@ -158,7 +155,7 @@ KdGrowth grow(KdPlan& plan, KdBud first, std::size_t fewest) {
             tree = with_leaf(std::move(tree), bud);
             continue;
         }
-        tree = with_children(std::move(tree), bud, plane);
+        tree = with_children(std::move(tree), bud.node, bud.box, plane);
         sides = sorted_out(std::move(sides), bud.events, plane);
         const std::vector<int> cut = triangles_on(Sides::both, bud.events, sides);
         const bool good = is_good(plane, triangle_count(bud.events), plan.options);
@@ -268,9 +265,27 @@ int usual_depth(std::size_t triangles) {
                          : static_cast<int>(8.0 + 1.3 * std::log2(static_cast<double>(triangles)));
 }
 
-// The trunk is grown on one thread, down to branches of so many triangles.
+} // namespace
+
 std::size_t fewest_of_trunk(std::size_t triangles) {
     return std::max<std::size_t>(2048, triangles / 32);
+}
+
+namespace {
+
+// By sorted events, with branches on threads of their own.
+KdTree grow_sorted(const KdPlan& plan, KdBud bud) {
+    KdGrowth trunk = grow(plan, std::move(bud), fewest_of_trunk(plan.triangles.corners.size() / 3));
+    std::vector<KdTree> branches(trunk.left_over.size());
+    on_threads(plan.options.threads, branches.size(), [&](std::size_t i) {
+        branches[i] = grow(plan, std::move(trunk.left_over[i]), 0).tree;
+    });
+    KdTree tree = std::move(trunk.tree);
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        tree = graft(std::move(tree), trunk.left_over[i].node, branches[i]);
+        branches[i] = {};
+    }
+    return tree;
 }
 
 } // namespace
@@ -282,26 +297,19 @@ KdTree build_kd_tree(std::span<const glm::vec3> corners, const KdOptions& option
     const Box bounds = bounds_of(corners);
     const double padding = padding_for(usual_reach(bounds, options.reach));
 
-    KdPlan plan{{corners, padding}, options, options.depth_limit};
+    KdSpent spent;
+    KdPlan plan{{corners, padding}, options, options.depth_limit, spent};
     if (options.depth_limit < 0) {
         plan.depth_limit = usual_depth(triangles);
     }
-    KdBud bud;
-    if (triangles > 0) {
-        bud.box = pad(bounds, padding);
+    const Box box = triangles > 0 ? pad(bounds, padding) : Box{};
+    KdTree tree;
+    if (options.split == KdSplit::area && triangles > options.binned_above) {
+        tree = grow_large(plan, {0, box, 0, 0, parts_in(plan.triangles, box)});
+    } else {
         std::vector<int> all(triangles);
         std::iota(all.begin(), all.end(), 0);
-        bud.events = events_in(plan.triangles, all, bud.box);
-    }
-    KdGrowth trunk = grow(plan, std::move(bud), fewest_of_trunk(triangles));
-    std::vector<KdTree> branches(trunk.left_over.size());
-    on_threads(options.threads, branches.size(), [&](std::size_t i) {
-        branches[i] = grow(plan, std::move(trunk.left_over[i]), 0).tree;
-    });
-    KdTree tree = std::move(trunk.tree);
-    for (std::size_t i = 0; i < branches.size(); ++i) {
-        tree = graft(std::move(tree), trunk.left_over[i].node, branches[i]);
-        branches[i] = {};
+        tree = grow_sorted(plan, {0, box, 0, 0, events_in(plan.triangles, all, box)});
     }
     tree = with_ropes(std::move(tree));
     tree.padding = padding;

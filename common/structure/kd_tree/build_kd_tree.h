@@ -25,14 +25,19 @@ KdEvents events_on(Sides side, const KdEvents& events, const std::vector<Sides>&
 // The triangles with those sides, each once.
 std::vector<int> triangles_on(Sides side, const KdEvents& events, const std::vector<Sides>& sides);
 
-// What all parts of one tree have in common while it grows, on however many threads.
+// What the leaves that are made take, of one tree on however many threads.
+struct KdSpent {
+    std::atomic<std::size_t> bytes = 0;
+    std::atomic<std::size_t> leaves = 0;
+    std::atomic<std::size_t> references = 0;
+};
+
+// What all parts of one tree have in common while it grows.
 struct KdPlan {
     KdTriangles triangles;
     KdOptions options;
     int depth_limit = 0;
-    std::atomic<std::size_t> bytes = 0; // of the leaves that are made
-    std::atomic<std::size_t> leaves = 0;
-    std::atomic<std::size_t> references = 0;
+    KdSpent& spent;
 };
 
 // A node that is still to be split or to become a leaf.
@@ -52,7 +57,30 @@ struct KdGrowth {
 
 // Grows a tree from the bud, which becomes node 0. Children with fewer triangles are left over.
 // Throws InputError where the plan's bytes are more than its options allow.
-KdGrowth grow(KdPlan& plan, KdBud bud, std::size_t fewest);
+KdGrowth grow(const KdPlan& plan, KdBud bud, std::size_t fewest);
+
+// The same for nodes with so many triangles that they are split by bins.
+struct KdLargeBud {
+    int node = 0;
+    Box box;
+    int depth = 0;
+    int bad_splits = 0;
+    std::vector<KdPart> parts;
+};
+
+// A tree from the bud, as grow would grow it: by bins as long as there are more than
+// KdOptions::most_sorted parts and a plane pays, exactly below. The trunk is grown on one thread.
+KdTree grow_large(const KdPlan& plan, KdLargeBud bud);
+
+// The tree with two new nodes at its end, the children of the node, which has that box.
+KdTree with_children(KdTree tree, int node, const Box& box, const KdPlane& plane);
+
+// Does the split pay by itself? By area, where it costs less than a leaf; in the middle, where a
+// side is rid of some triangle.
+bool is_good(const KdPlane& plane, std::size_t count, const KdOptions& options);
+
+// The trunk of a tree is grown on one thread, down to branches of so many triangles.
+std::size_t fewest_of_trunk(std::size_t triangles);
 
 // The tree with the branch, which was grown from a bud of it, in the place of that bud's node.
 KdTree graft(KdTree tree, int node, const KdTree& branch);

@@ -119,6 +119,37 @@ KdEvents events_in(const KdTriangles& triangles, std::span<const int> chosen, co
     return events;
 }
 
+std::vector<KdPart> parts_in(const KdTriangles& triangles, const Box& box) {
+    const ExactBox around = grown(box, triangles.padding);
+    const auto count = static_cast<int>(triangles.corners.size() / 3);
+    std::vector<KdPart> parts;
+    parts.reserve(triangles.corners.size() / 3);
+    for (int triangle = 0; triangle < count; ++triangle) {
+        const Box bounds =
+            clipped_bounds(triangle_at(triangles, triangle), around, triangles.padding);
+        if (!is_empty(bounds)) {
+            parts.push_back({bounds, triangle});
+        }
+    }
+    return parts;
+}
+
+KdEvents events_of(std::span<const KdPart> parts) {
+    KdEvents events;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<KdEvent>& along_axis = events[static_cast<std::size_t>(axis)];
+        along_axis.reserve(2 * parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto place = static_cast<int>(i);
+            along_axis.push_back(
+                make_event(parts[i].bounds.lower[axis], place, KdEventKind::start));
+            along_axis.push_back(make_event(parts[i].bounds.upper[axis], place, KdEventKind::end));
+        }
+        std::sort(along_axis.begin(), along_axis.end(), comes_before);
+    }
+    return events;
+}
+
 KdEvents merge_events(KdEvents own, KdEvents cut) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (cut[axis].empty()) {

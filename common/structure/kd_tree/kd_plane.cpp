@@ -1,5 +1,9 @@
 #include "structure/kd_tree/kd_split.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 namespace raysteps {
 
 namespace {
@@ -88,6 +92,93 @@ KdPlane cheapest_plane(const KdEvents& events, const Box& box, double padding,
     KdPlane best;
     for (int axis = 0; axis < 3; ++axis) {
         best = cheaper(best, cheapest_on_axis(events, box, axis, padding, options));
+    }
+    return best;
+}
+
+namespace {
+
+// How many parts start and end in each of equal slices of a box.
+struct KdBins {
+    static constexpr int most = 256;
+
+    KdBins(const Box& box, int along, std::size_t parts)
+        : count(parts > many_parts ? most : most / 4), lower(box.lower[along]),
+          width((static_cast<double>(box.upper[along]) - lower) / count) {}
+
+    float plane(int bin) const { return static_cast<float>(lower + bin * width); }
+
+    // The last one whose lower plane is at most there; an end is in the bin that it closes.
+    std::size_t of_start(float position) const {
+        int bin = guess(position);
+        bin -= bin > 0 && position < plane(bin) ? 1 : 0;
+        bin += bin + 1 < count && position >= plane(bin + 1) ? 1 : 0;
+        return static_cast<std::size_t>(bin);
+    }
+    std::size_t of_end(float position) const {
+        int bin = guess(position);
+        bin -= bin > 0 && position <= plane(bin) ? 1 : 0;
+        bin += bin + 1 < count && position > plane(bin + 1) ? 1 : 0;
+        return static_cast<std::size_t>(bin);
+    }
+
+    int guess(float position) const {
+        const double place = (static_cast<double>(position) - lower) / width;
+        return static_cast<int>(std::clamp(place, 0.0, count - 1.0));
+    }
+
+    static constexpr std::size_t many_parts = 4096;
+
+    int count;
+    double lower;
+    double width;
+    std::array<std::uint32_t, most> starts{};
+    std::array<std::uint32_t, most> ends{};
+    float first_start = std::numeric_limits<float>::infinity();
+    float last_end = -std::numeric_limits<float>::infinity();
+};
+
+KdPlane cheapest_of_bins(std::span<const KdPart> parts, const Box& box, int axis, double padding,
+                         const KdOptions& options) {
+    KdBins bins(box, axis, parts.size());
+    if (!(bins.width > 0.0)) {
+        return {};
+    }
+    for (const KdPart& part : parts) {
+        const float start = part.bounds.lower[axis];
+        const float end = part.bounds.upper[axis];
+        ++bins.starts[bins.of_start(start)];
+        ++bins.ends[bins.of_end(end)];
+        bins.first_start = std::min(bins.first_start, start);
+        bins.last_end = std::max(bins.last_end, end);
+    }
+    const AxisCosts costs(box, axis, options);
+    KdPlane best;
+    const auto look_at = [&](float position, std::size_t lower_count, std::size_t upper_count) {
+        if (leaves_room(box, axis, position, padding)) {
+            const double cost = costs.at(position, lower_count, upper_count);
+            best = cheaper(best, {axis, position, lower_count, upper_count, cost});
+        }
+    };
+    look_at(bins.first_start, 0, parts.size());
+    std::size_t lower_count = 0;
+    std::size_t upper_count = parts.size();
+    for (int bin = 1; bin < bins.count; ++bin) {
+        lower_count += bins.starts[static_cast<std::size_t>(bin - 1)];
+        upper_count -= bins.ends[static_cast<std::size_t>(bin - 1)];
+        look_at(bins.plane(bin), lower_count, upper_count);
+    }
+    look_at(bins.last_end, parts.size(), 0);
+    return best;
+}
+
+} // namespace
+
+KdPlane binned_plane(std::span<const KdPart> parts, const Box& box, double padding,
+                     const KdOptions& options) {
+    KdPlane best;
+    for (int axis = 0; axis < 3; ++axis) {
+        best = cheaper(best, cheapest_of_bins(parts, box, axis, padding, options));
     }
     return best;
 }

@@ -66,6 +66,10 @@ struct KdOptions {
     int depth_limit = -1;     // of a leaf, the root being at 0; below 0, 8 + 1.3 log2 n
     int bad_splits = 0; // in a row that may not pay by themselves, in the hope of a better one
     float reach = 0.0f; // see usual_reach in structure/padding.h
+    // Of more triangles in all, nodes with more than `most_sorted` are split by bins: to sort
+    // millions of events takes most of the time, and finds hardly better planes.
+    std::size_t binned_above = 1'000'000;
+    std::size_t most_sorted = 256;
     std::size_t most_bytes = std::size_t{4} << 30;                       // of the finished tree
     std::int64_t most_texels = std::numeric_limits<std::int32_t>::max(); // of each of its arrays
     unsigned threads = 0; // that build it; 0: as many as the machine has cores

@@ -14,6 +14,7 @@
 #include "light/lambert.glsl"
 #include "light/highlight.glsl"
 #include <lamp>
+#include <normal>
 #include <visibility>
 
 uniform sampler2D ray_origins;
@@ -32,7 +33,7 @@ void main() {
     if (gloss.exponent == 0.0) {
         discard;
     }
-    Surface surface = surface_at(ray, hit);
+    Surface surface = with_normal(pixel, surface_at(ray, hit));
     vec3 lamp = lamp_point(pixel);
     vec3 share = light_share(pixel);
     color = vec4(0.0);

@@ -14,6 +14,7 @@
 #include "light/lambert.glsl"
 #include "light/shadow.glsl"
 #include <lamp>
+#include <normal>
 
 uniform sampler2D ray_origins;
 uniform sampler2D ray_directions;
@@ -26,7 +27,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
     Hit hit = hit_at(hits, pixel);
-    Ray shadow = shadow_ray(surface_at(ray, hit), lamp_point(pixel));
+    Ray shadow = shadow_ray(with_normal(pixel, surface_at(ray, hit)), lamp_point(pixel));
     ray_origin = pack_ray_origin(shadow);
     ray_direction = pack_ray_direction(shadow);
 }

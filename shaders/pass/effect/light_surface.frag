@@ -13,6 +13,7 @@
 #include "light/surface.glsl"
 #include "light/lambert.glsl"
 #include <lamp>
+#include <normal>
 #include <paint>
 #include <visibility>
 
@@ -28,7 +29,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
     Hit hit = hit_at(hits, pixel);
-    Surface surface = surface_at(ray, hit);
+    Surface surface = with_normal(pixel, surface_at(ray, hit));
     vec3 lamp = lamp_point(pixel);
     vec3 share = light_share(pixel);
     color = vec4(0.0);

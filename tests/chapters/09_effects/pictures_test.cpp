@@ -117,10 +117,10 @@ TEST_CASE("far away a texture shows its mean and no noise", "[09][textures]") {
 TEST_CASE("a texture that is missing is named and its material shows its colour",
           "[09][textures]") {
     const Scene scene = painted_wall("nowhere/picture.png", 1.0f);
-    const LoadedTextures pictures = load_textures(scene);
+    const LoadedTextures pictures = load_textures(scene, {Effect::textures});
     REQUIRE(pictures.messages.size() == 1);
     CHECK_THAT(pictures.messages[0], contains_text("Material painted: its texture is left out."));
-    CHECK(pictures.index_of_material == std::vector<int>{-1});
+    CHECK(pictures.textures == std::vector<int>{-1});
     CHECK_THAT(error_of([] { made_texture("made:fog"); }), contains_text("made:checker"));
     const auto context = make_context(ContextKind::automatic);
     CHECK(effect_picture(scene, 1).image.at(0, 0).x == Approx(1.0f).epsilon(1e-4));

@@ -46,7 +46,7 @@ inline std::string first_fault(const raysteps::Material& material) {
 inline std::string first_fault(const raysteps::Scene& scene) {
     const auto triangles = static_cast<std::size_t>(triangle_count(scene));
     if (scene.corners.size() != 3 * triangles || scene.normals.size() != 3 * triangles ||
-        scene.texture_coordinates.size() != 3 * triangles ||
+        (!scene.texture_coordinates.empty() && scene.texture_coordinates.size() != 3 * triangles) ||
         scene.triangle_materials.size() != triangles)
         return "the lists differ in length";
     for (const glm::vec3& corner : scene.corners)

@@ -53,8 +53,8 @@ constexpr const char* gltf = R"({
           {"name": "eye", "camera": 0, "translation": [5, 0, 9]}],
 "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1, "aspectRatio": 2}}],
 "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
-"materials": [{"name": "green", "alphaMode": "MASK", "alphaCutoff": 0.25, "emissiveFactor": [1, 1, 1],
-  "emissiveTexture": {"index": 0},
+"materials": [{"name": "green", "alphaMode": "MASK", "alphaCutoff": 0.25, "emissiveFactor": [1, 0.5, 0.25],
+  "emissiveTexture": {"index": 0}, "normalTexture": {"index": 0, "scale": 0.5},
   "pbrMetallicRoughness": {"baseColorFactor": [0.25, 0.5, 0.75, 1], "baseColorTexture": {"index": 0}}}],
 "textures": [{"source": 0}], "images": [{"uri": "leaf.png"}],
 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
@@ -104,14 +104,18 @@ TEST_CASE("a glTF file gives its nodes materials camera and what is not shown", 
     CHECK(green.diffuse == glm::vec3(0.25f, 0.5f, 0.75f));
     CHECK(green.cutoff == 0.25f);
     CHECK(green.cutout_map == green.diffuse_map);
-    CHECK(green.emission == glm::vec3(0.0f)); // by a picture, which is not shown
+    CHECK(green.emissive_map == green.diffuse_map);
+    CHECK(green.emissive_factor == glm::vec3(1.0f, 0.5f, 0.25f));
+    CHECK(green.emission == glm::vec3(0.0f)); // so it is no lamp
+    CHECK(green.normal_map == green.diffuse_map);
     REQUIRE(scene->file_camera);
     CHECK(scene->file_camera->eye == glm::vec3(5, 0, 9));
     CHECK(glm::distance(glm::normalize(scene->file_camera->target - scene->file_camera->eye),
                         glm::vec3(0, 0, -1)) < 1e-6f);
     CHECK(scene->file_camera->vertical_field_of_view == Approx(28.648).epsilon(1e-4)); // 0.5
     const std::string messages = joined(scene->messages);
-    CHECK_THAT(messages, contains_text("leaf.gltf: emissive pictures are not shown: 1."));
+    CHECK_THAT(messages, contains_text("leaf.gltf: metallic factors are not shown: 1."));
+    CHECK_THAT(messages, contains_text("leaf.gltf: scales of normal maps are not shown: 1."));
     CHECK_THAT(messages, contains_text("There is no texture \"leaf.png\"."));
 }
 

@@ -123,16 +123,28 @@ TEST_CASE("the material file of the model's own name is found", "[mtl]") {
 
 TEST_CASE("what an MTL file asks for in vain is told a keyword a line", "[mtl]") {
     const ParsedMtl parsed = parse_mtl("newmtl a\nKa 1 1 1\nbump a.png\nPr 0.5\nPm 0\n"
-                                       "newmtl b\nbump b.png\nmap_Ke c.png\nKe 1 1 1\n"
-                                       "newmtl c\nKe 1 1 1\n",
+                                       "newmtl b\nbump b.png\nmap_Ks c.png\n",
                                        "test.mtl", ".");
     CHECK(parsed.messages ==
           std::vector<std::string>{"test.mtl:3: bump is not shown, 2 times (lines 3, 7).",
                                    "test.mtl:4: Pr is not shown.",
-                                   "test.mtl:8: map_Ke is not shown."});
-    // What glows by a picture does not glow all over.
-    CHECK(parsed.materials.at(1).emission == glm::vec3(0.0f));
+                                   "test.mtl:8: map_Ks is not shown."});
+}
+
+TEST_CASE("what glows by a picture does not glow all over and so is no lamp", "[mtl]") {
+    const ModelFolder folder("glow");
+    const std::string picture = folder.write("c.png", "").string();
+    const ParsedMtl parsed = parse_mtl("newmtl a\nmap_Ke c.png\nKe 1 0.5 0.25\n"
+                                       "newmtl b\nmap_Ke c.png\nnewmtl c\nKe 1 1 1\nnorm c.png\n",
+                                       folder.path() / "test.mtl", folder.path());
+    CHECK(parsed.messages.empty());
+    CHECK(parsed.materials.at(0).emission == glm::vec3(0.0f));
+    CHECK(parsed.materials.at(0).emissive_map == picture);
+    CHECK(parsed.materials.at(0).emissive_factor == glm::vec3(1.0f, 0.5f, 0.25f));
+    CHECK(parsed.materials.at(1).emissive_factor == glm::vec3(1.0f)); // exports leave Ke out
     CHECK(parsed.materials.at(2).emission == glm::vec3(1.0f));
+    CHECK(parsed.materials.at(2).emissive_map.empty());
+    CHECK(parsed.materials.at(2).normal_map == picture);
 }
 
 TEST_CASE("the picture of an opacity is kept", "[mtl]") {

@@ -22,6 +22,9 @@ MeshFile small_mesh() {
     mesh.materials.resize(2);
     mesh.materials[1].name = "glass";
     mesh.materials[1].cutout_map = "a.glb:*0";
+    mesh.materials[1].normal_map = "normal.png";
+    mesh.materials[1].emissive_map = "glow.png";
+    mesh.materials[1].emissive_factor = {1, 2, 3};
     mesh.lights = {{{1, 2, 3}, {1, 0.5f, 0.25f}}};
     mesh.pictures = {{"a.glb:*0", std::string("\0\x89PNG", 5)}};
     mesh.camera = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 30.0f};

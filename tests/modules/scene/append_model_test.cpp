@@ -50,6 +50,24 @@ TEST_CASE("a second model stands behind the first with its own materials", "[sce
     REQUIRE(twice.texture_coordinates.size() == 72);
 }
 
+TEST_CASE("beside a model with texture coordinates one without has zeros", "[scene]") {
+    const Scene plain = [] {
+        Scene scene = add_mesh({}, triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {});
+        scene.texture_coordinates.clear();
+        return scene;
+    }();
+    Scene painted = plain;
+    painted.texture_coordinates.assign(3, glm::vec2(0.5f));
+    const glm::mat4 as_it_is(1.0f);
+    CHECK(append_model(plain, plain, as_it_is).texture_coordinates.empty());
+    const glm::vec2 zero(0.0f);
+    const glm::vec2 half(0.5f);
+    CHECK(append_model(plain, painted, as_it_is).texture_coordinates ==
+          std::vector{zero, zero, zero, half, half, half});
+    CHECK(append_model(painted, plain, as_it_is).texture_coordinates ==
+          std::vector{half, half, half, zero, zero, zero});
+}
+
 TEST_CASE("a normal on a stretched slope stays upright on it", "[scene]") {
     // The slope x + y = 0 stretched to y = -x / 3: its normal (1, 1, 0) becomes (1, 3, 0), not (3,
     // 1, 0).

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace raysteps {
 
@@ -133,10 +134,8 @@ struct NotShown {
     const char* name;
 };
 
-constexpr std::array<NotShown, 11> textures_not_shown{{
-    {aiTextureType_NORMALS, "normal maps"},
+constexpr std::array<NotShown, 9> textures_not_shown{{
     {aiTextureType_HEIGHT, "bump maps"},
-    {aiTextureType_EMISSIVE, "emissive pictures"},
     {aiTextureType_SPECULAR, "specular pictures"},
     {aiTextureType_SHININESS, "shininess pictures"},
     {aiTextureType_METALNESS, "metalness pictures"},
@@ -188,11 +187,21 @@ void Importing::add_material(const aiMaterial& source) {
         material.illumination_model = 2;
     }
 
-    // What glows by a picture would glow all over without it.
     aiColor3D emission(0.0f, 0.0f, 0.0f);
-    if (source.GetTextureCount(aiTextureType_EMISSIVE) == 0 &&
-        source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == aiReturn_SUCCESS) {
+    source.Get(AI_MATKEY_COLOR_EMISSIVE, emission);
+    const bool is_black = emission.IsBlack();
+    if (source.GetTexture(aiTextureType_EMISSIVE, 0, &picture) != aiReturn_SUCCESS) {
         material.emission = to_glm(emission);
+    } else if (!is_black || !is_gltf_) { // which are not multiplied in other formats
+        material.emissive_map = picture_name(picture);
+        material.emissive_factor = is_black ? glm::vec3(1.0f) : to_glm(emission);
+    }
+    if (source.GetTexture(aiTextureType_NORMALS, 0, &picture) == aiReturn_SUCCESS) {
+        material.normal_map = picture_name(picture);
+        if (source.Get("$tex.scale", aiTextureType_NORMALS, 0, factor) == aiReturn_SUCCESS &&
+            factor != 1.0f) {
+            note("scales of normal maps");
+        }
     }
 
     aiString mode;
@@ -358,8 +367,16 @@ void Importing::add_lights() {
 
 MeshFile Importing::mesh() {
     add_pictures();
+    std::set<unsigned> used;
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+        used.insert(scene_.mMeshes[i]->mMaterialIndex);
+    }
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+        const auto before = not_shown_;
         add_material(*scene_.mMaterials[i]);
+        if (!used.contains(i)) { // as the one that Assimp adds to every glTF file
+            not_shown_ = before;
+        }
     }
     if (scene_.mRootNode != nullptr) {
         add_nodes(*scene_.mRootNode, {});
