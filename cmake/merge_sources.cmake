@@ -1,6 +1,7 @@
 # merge_sources(TARGET)
 # Compiles each folder of the target's sources as one text (RAYSTEPS_UNITY): their headers are read once, which takes
-# a third of the time. Files that stand alone by a property of theirs (SKIP_UNITY_BUILD_INCLUSION) stay alone.
+# a third of the time. A file with an exercise stays alone, since ./course links a student's version in its place; so does
+# one that asks for it (SKIP_UNITY_BUILD_INCLUSION).
 function(merge_sources target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAYSTEPS_UNITY} UNITY_BUILD_MODE GROUP)
   if(RAYSTEPS_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -13,5 +14,9 @@ function(merge_sources target)
     cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
     string(REPLACE "/" "_" group "${folder}")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
+    file(STRINGS ${source} exercises REGEX "//# exercise" LIMIT_COUNT 1)
+    if(exercises)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
   endforeach()
 endfunction()
