@@ -54,7 +54,7 @@
   function planned(reasons, all) {
     const effects = effectNames.map((name) => ({ name, reason: reasons[name], isOn: all || reasons[name] !== "", passes: passNamesOf[name] }));
     const isOn = Object.fromEntries(effects.map((effect) => [effect.name, effect.isOn]));
-    const lamp = { lamp: "lamp/point.glsl" };
+    const lamp = { lamp: "lamp/point.glsl", normal: "normal/interpolated.glsl" };
     const light = { ...lamp, visibility: isOn.shadows ? "visibility/traced.glsl" : "visibility/open.glsl" };
     const cast = isOn.shadows ? pass("cast_lamp_rays", lamp) : null;
     const facing = cast && pass("select_rays");
