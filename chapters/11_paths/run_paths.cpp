@@ -83,11 +83,17 @@ void write_pictures(const PathSums& sums, const std::filesystem::path& path, flo
     if (sums.block_count() > 1) {
         std::vector<float> deviations = variance_of_mean(sums);
         const double mean = std::max(mean_without_lamps(sums), 1e-30);
-        for (float& value : deviations) {
-            value = static_cast<float>(std::sqrt(static_cast<double>(value)) / mean);
+        std::vector<float> without_lamps;
+        for (std::size_t i = 0; i < deviations.size(); ++i) {
+            deviations[i] =
+                static_cast<float>(std::sqrt(static_cast<double>(deviations[i])) / mean);
+            if (sums.sees_lamp[i] == 0) {
+                without_lamps.push_back(deviations[i]);
+            }
         }
         write_picture(path.string() + "_noise.png",
-                      heat_map(deviations, sums.run.width, sums.run.height, auto_range(deviations),
+                      heat_map(deviations, sums.run.width, sums.run.height,
+                               auto_range(without_lamps),
                                "standard deviation over the picture's mean"));
     }
 }

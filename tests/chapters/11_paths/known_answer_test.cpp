@@ -114,7 +114,7 @@ TEST_CASE("roulette, both ways to a lamp and either bounce leave a furnace as it
             std::ranges::fill(sums.sees_lamp, 0); // all of it is a lamp
             const MeasuredMean measured = measured_mean(sums);
             CAPTURE(heuristic, bounce, measured.mean, measured.error);
-            CHECK(std::abs(measured.mean - 2.0) < alarm * measured.error + 1e-5);
+            CHECK(std::abs(measured.mean - 2.0) < alarm_at * measured.error + 1e-5);
             CHECK(measured.error < 0.02);
         }
     }
@@ -132,9 +132,27 @@ TEST_CASE("a lamp over a plane lights it as the formula says, by every way of fi
                 measured_mean(follow_paths(lamp_over_plane(half_lamp), choice, 32, 16));
             CAPTURE(heuristic, bounce, expected, measured.mean, measured.error);
             // 1e-5 for the roundings of float and for a view that is not quite a point.
-            CHECK(std::abs(measured.mean - expected) < alarm * measured.error + 1e-5 * expected);
-            CHECK(measured.error < 0.005 * expected);
+            CHECK(std::abs(measured.mean - expected) < alarm_at * measured.error + 1e-5 * expected);
+            CHECK(measured.error < 0.006 * expected);
         }
+    }
+}
+
+TEST_CASE(
+    "a bias of 1 % under a lamp is found in 99.9 % of runs, and none is found where there is none",
+    "[11][lamp]") {
+    const auto context = make_context(ContextKind::automatic);
+    const MeasuredMean expected{radiance_under(half_lamp), 0.0};
+    for (const std::string heuristic : {"balance", "power", "light_only"}) {
+        const PathChoice choice{
+            .random = "pcg", .heuristic = heuristic, .max_bounces = 1, .seed = 9};
+        const MeasuredMean measured =
+            measured_mean(follow_paths(lamp_over_plane(half_lamp), choice, 32, 24));
+        CAPTURE(heuristic, expected.mean, measured.mean, measured.error);
+        CHECK(smallest_bias_found(measured, expected) < 0.01);
+        CHECK(apart(measured, expected) < alarm_at);
+        CHECK(apart({1.01 * measured.mean, measured.error}, expected) > alarm_at);
+        CHECK(apart({0.99 * measured.mean, measured.error}, expected) > alarm_at);
     }
 }
 
@@ -144,12 +162,12 @@ TEST_CASE("the independent recursion gives the same lamp and the same furnace", 
     const MeasuredMean lamp = measured_mean(
         follow_reference_paths(lamp_over_plane(half_lamp), {.samples = 40000, .max_bounces = 1}),
         all);
-    CHECK(std::abs(lamp.mean - expected) < alarm * lamp.error);
+    CHECK(std::abs(lamp.mean - expected) < alarm_at * lamp.error);
     CHECK(lamp.error < 0.002 * expected);
     const MeasuredMean warm = measured_mean(
         follow_reference_paths(furnace(0.5f, 1.0f), {.samples = 20000, .max_bounces = 20}), all);
-    CHECK(std::abs(warm.mean - 2.0) < alarm * warm.error + 2e-6);
-    CHECK(warm.error < 0.02);
+    CHECK(std::abs(warm.mean - 2.0) < alarm_at * warm.error + 2e-6);
+    CHECK(warm.error < 0.04);
 }
 
 TEST_CASE("a lamp behind a mirror or in clear glass is seen as such", "[11][glass]") {
@@ -179,6 +197,6 @@ TEST_CASE("a lamp behind a mirror or in clear glass is seen as such", "[11][glas
         return sums;
     }());
     CAPTURE(measured.mean, expected, measured.error);
-    CHECK(std::abs(measured.mean - expected) < alarm * measured.error + 1e-5);
+    CHECK(std::abs(measured.mean - expected) < alarm_at * measured.error + 1e-5);
     CHECK(measured.error < 0.01 * expected);
 }

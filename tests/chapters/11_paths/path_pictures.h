@@ -82,10 +82,10 @@ inline MeasuredMean measured_mean(const std::vector<ReferencePixel>& pixels,
 
 // A difference of both means is beyond this many standard errors in 1 of 10^6 runs where there is
 // no bias (both sides of the normal distribution).
-inline constexpr double alarm = 4.892;
+inline constexpr double alarm_at = 4.892;
 
-// A bias of `alarm + power` standard errors is found in 99.9 % of runs.
-inline constexpr double power = 3.091;
+// A bias of `alarm_at + power_at` standard errors is found in 99.9 % of runs.
+inline constexpr double power_at = 3.091;
 
 // How many standard errors lie between both.
 inline double apart(const MeasuredMean& a, const MeasuredMean& b) {
@@ -94,7 +94,7 @@ inline double apart(const MeasuredMean& a, const MeasuredMean& b) {
 
 // The smallest bias that is found in 99.9 % of runs, as a part of the mean.
 inline double smallest_bias_found(const MeasuredMean& a, const MeasuredMean& b) {
-    return (alarm + power) * std::hypot(a.error, b.error) / b.mean;
+    return (alarm_at + power_at) * std::hypot(a.error, b.error) / b.mean;
 }
 
 inline Material glowing_material(const glm::vec3& diffuse, const glm::vec3& emission) {

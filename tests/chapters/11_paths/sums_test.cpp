@@ -12,7 +12,7 @@ using namespace raysteps;
 namespace {
 
 Scene small_cornell_box() {
-    return load_scene("cornell_box");
+    return load_scene("cornell_box", 1.0f);
 }
 
 PathSums part_of(PathRenderer& renderer, const Scene& scene, int side, const BlockRange& blocks) {
