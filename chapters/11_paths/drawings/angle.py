@@ -33,7 +33,7 @@ def draw(canvas, _lesson):
         canvas.line(*(at(*end) for end in ends), color="good", width="thick")
         canvas.line(at(-1.3, 0), at(1.3, 0))
         canvas.point(at(0, 0))
-        canvas.text(at(0.22, 1), f"{filled:g}", "se", color="ray")
+        canvas.text(at(0.42, 1.12), f"{filled:g}", "e", color="ray")
         words = "faces the point" if turned == 0 else f"turned by {turned}°"
         canvas.text(at(0, DISTANCE + 0.5), words, "n", color="good")
     at = Flat(140, 260, 88)

@@ -40,5 +40,5 @@ def draw(canvas, _lesson):
     canvas.arrow(at(0, 0), at(*toward(EYE, FAR)), color="ray", width="thick")
     canvas.text(at(*toward(EYE, FAR)), "to the eye", "n", color="ray")
     canvas.point(at(0, 0), radius=6)
-    canvas.text(at(-2.9, 0), "thick: what the cosine leaves", "s", color="quiet")
+    canvas.text(at(-2.4, 0), "thick: what the cosine leaves", "s", color="quiet")
     canvas.text(at(2.6, 0), "matte floor", "s")
