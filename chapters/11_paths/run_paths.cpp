@@ -146,7 +146,7 @@ Numbers figures_of(const PathSums& sums, float exposure) {
 }
 
 Numbers figures_of(const PathTally& tally) {
-    return {{"camera", tally.camera}, {"bounce", tally.bounced}, {"to_lamps", tally.to_lamps}};
+    return {{"primary", tally.camera}, {"bounce", tally.bounced}, {"to_lamps", tally.to_lamps}};
 }
 
 PathRenderer renderer_of(const PictureOptions& picture, const TraceOptions& tracing,
