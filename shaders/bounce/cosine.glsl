@@ -4,8 +4,11 @@
 
 // The point of a disc, lifted onto the half ball over it.
 real3 bounce_direction(SquarePoint place) {
+    //# exercise 11.1: a direction by the cosine
     SquarePoint on_disc = point_of_disc(place);
     return real3(on_disc.x, on_disc.y, sqrt(real(1.0f) - place.x));
+    //# stub: return real3(real(0.0f), real(0.0f), real(1.0f));
+    //# end
 }
 
 // Per unit of solid angle.

@@ -59,17 +59,23 @@ real3 about_normal(real3 normal, real3 local) {
 // solid angle: far away, and seen from the side, an area fills a small angle. The way leads to the
 // lamp.
 real density_over_angles(real density_over_area, real3 way, real3 lamp_normal) {
+    //# exercise 11.2: from areas to angles
     real squared_distance = dot_product(way, way);
     real cosine = abs(dot_product(lamp_normal, way)) / sqrt(squared_distance);
     return density_over_area * squared_distance / cosine;
+    //# stub: return density_over_area;
+    //# end
 }
 
 // Roulette: some paths end, and the others count for them too.
 PathStep after_roulette(PathStep before, real chance, real number) {
     PathStep next = before;
+    //# exercise 11.4: roulette
     if (number >= chance) {
         next.ray.t_max = -real(1.0f);
     }
     next.weight = before.weight / chance;
+    //# stub: next.weight = before.weight;
+    //# end
     return next;
 }
