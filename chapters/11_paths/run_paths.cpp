@@ -267,7 +267,8 @@ void render_paths(const PictureOptions& picture, const TraceOptions& tracing,
                        });
         return;
     }
-    const auto [width, height] = picture.size;
+    const int width = picture.size.width; // plain names: clang 14 captures no binding
+    const int height = picture.size.height;
     PathSums sums(run_of(picture, scene, paths.choice));
     sums.sees_lamp = renderer.pixels_with_lamps(scene.camera, width, height);
     const auto progress = show_progress("following paths");
