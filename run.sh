@@ -112,7 +112,7 @@ fi
 # Chapter after chapter, so that the first pictures come while most of the project is not compiled yet: first
 # those that are cheap to compile and to render. Whatever is not named here comes last.
 echo "run.sh: building and rendering; the first picture takes about a minute, all of them some minutes" >&2
-for chapter in 01_rays 06_bvh 04_grid 05_kd_tree 03_shading 09_effects 08_accuracy 07_compare 10_speed; do
+for chapter in 01_rays 06_bvh 04_grid 05_kd_tree 03_shading 09_effects 08_accuracy 07_compare 10_speed 11_paths; do
   cmake --build --preset default --target "pictures_$chapter"
 done
 cmake --build --preset default --target pictures

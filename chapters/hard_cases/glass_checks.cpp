@@ -1,7 +1,7 @@
 #include "hard_cases/aimed_rays.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/whitted.h"
+#include "reference/optics.h"
 #include "render/effects/effects_renderer.h"
 #include "scene/pack_scene.h"
 #include "scene/shapes.h"

@@ -34,9 +34,4 @@ std::vector<double> whitted_sensitivity(const Scene& scene, int width, int heigh
 // The scene as chapter 03 shows it: without glass, highlights and a sky.
 Scene without_optics(Scene scene);
 
-// The part of unpolarised light that a surface between media of these indices reflects, by the
-// angle between ray and normal; 1 where the reflection is total. (Hecht, "Optics", 5th ed., 2017,
-// equations 4.34 and 4.40.)
-double fresnel_by_angle(double angle, double index_before, double index_behind);
-
 } // namespace raysteps

@@ -1,16 +1,6 @@
 // A thin lens: all rays of a pixel meet in one point of the sharp plane, and start on a disc.
 // Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", 1984.
 
-// The point of the square as one of the disc of radius 1; equal areas stay equal.
-SquarePoint point_of_disc(SquarePoint square) {
-    real radius = sqrt(square.x);
-    real angle = real(6.2831853f) * square.y;
-    SquarePoint point;
-    point.x = radius * cos(angle);
-    point.y = radius * sin(angle);
-    return point;
-}
-
 // The ray of the pinhole, moved to that point of the lens. Its direction has the length 1 along the
 // line of sight, so the sharp plane is at t = focus_distance. A lens of radius 0 changes nothing.
 Ray lens_ray(Ray ray, View view, real radius, real focus_distance, SquarePoint on_disc) {

@@ -63,3 +63,13 @@ SquarePoint point_for_lens(int sample_number, int column, int row) {
     point.y = mirrored_digits(sample_number, 7);
     return shifted(point, column, row);
 }
+
+// The point of the square as one of the disc of radius 1; equal areas stay equal.
+SquarePoint point_of_disc(SquarePoint square) {
+    real radius = sqrt(square.x);
+    real angle = real(6.2831853f) * square.y;
+    SquarePoint point;
+    point.x = radius * cos(angle);
+    point.y = radius * sin(angle);
+    return point;
+}

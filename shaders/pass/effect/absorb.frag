@@ -25,10 +25,11 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Ray ray = unpack_ray(texelFetch(ray_origins, pixel, 0), texelFetch(ray_directions, pixel, 0));
     Hit hit = hit_at(hits, pixel);
-    vec3 kept = vec3(texelFetch(weights, pixel, 0));
+    vec4 before = texelFetch(weights, pixel, 0);
+    vec3 kept = vec3(before);
     int material = innermost_medium(texelFetch(media, pixel, 0));
     if (is_hit(hit) && material >= 0) {
         kept *= transmitted(glass_of(material).transmission, travelled(ray, hit));
     }
-    weight = vec4(kept, 0.0);
+    weight = vec4(kept, before.w);
 }

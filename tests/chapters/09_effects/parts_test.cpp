@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "mirror/effects.h"
 #include "mirror/mirror_scene.h"
-#include "reference/whitted.h"
+#include "reference/optics.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -48,6 +48,10 @@ TEST_CASE("help names every option of every program", "[command]") {
                                             "--explain", "--prove", "--scenes", "--rounds"}));
     check_help("10_speed",
                with(common_options, {"--scenes", "--full", "--rounds", "--embree", "--tree"}));
+    check_help("11_paths",
+               with(common_options, {"--structure", "--samples", "--seconds", "--error", "--random",
+                                     "--bounce", "--heuristic", "--roulette", "--max-bounces",
+                                     "--seed", "--exposure", "--jobs-file", "--merge"}));
     check_help("check", {"--tree", "--scene", "--rays", "--judge", "--why", "--export", "--json"});
 }
 

@@ -10,17 +10,23 @@
 
 const std::vector<std::string> chapters{"01_rays",    "02_triangles", "03_shading", "04_grid",
                                         "05_kd_tree", "06_bvh",       "07_compare", "08_accuracy",
-                                        "09_effects", "10_speed"};
+                                        "09_effects", "10_speed",     "11_paths"};
 
 namespace {
 
-const std::map<std::string, std::string> programs{
-    {"01_rays", PROGRAM_01_RAYS},       {"02_triangles", PROGRAM_02_TRIANGLES},
-    {"03_shading", PROGRAM_03_SHADING}, {"04_grid", PROGRAM_04_GRID},
-    {"05_kd_tree", PROGRAM_05_KD_TREE}, {"06_bvh", PROGRAM_06_BVH},
-    {"07_compare", PROGRAM_07_COMPARE}, {"08_accuracy", PROGRAM_08_ACCURACY},
-    {"09_effects", PROGRAM_09_EFFECTS}, {"10_speed", PROGRAM_10_SPEED},
-    {"hard_cases", PROGRAM_HARD_CASES}, {"check", PROGRAM_CHECK}};
+const std::map<std::string, std::string> programs{{"01_rays", PROGRAM_01_RAYS},
+                                                  {"02_triangles", PROGRAM_02_TRIANGLES},
+                                                  {"03_shading", PROGRAM_03_SHADING},
+                                                  {"04_grid", PROGRAM_04_GRID},
+                                                  {"05_kd_tree", PROGRAM_05_KD_TREE},
+                                                  {"06_bvh", PROGRAM_06_BVH},
+                                                  {"07_compare", PROGRAM_07_COMPARE},
+                                                  {"08_accuracy", PROGRAM_08_ACCURACY},
+                                                  {"09_effects", PROGRAM_09_EFFECTS},
+                                                  {"10_speed", PROGRAM_10_SPEED},
+                                                  {"11_paths", PROGRAM_11_PATHS},
+                                                  {"hard_cases", PROGRAM_HARD_CASES},
+                                                  {"check", PROGRAM_CHECK}};
 
 // As one word of a shell's command line.
 std::string in_quotes(const std::string& text) {

@@ -30,6 +30,7 @@ RUNS = {
     "effects": ("09_effects", SMALL),
     "proof": ("09_effects", ["--prove", "--scenes", "compact:4,glass_box", "--rounds", "1", "--size", "16"]),
     "climb": ("10_speed", [*SMALL, "--rounds", "1"]),
+    "paths": ("11_paths", ["--scene", "cornell_box", "--size", "16", "--samples", "32"]),
     "check": ("check", ["--scene", "compact:4", "--tree", "FOLDER/own.rstree", "--rays", "FOLDER/rays.csv"]),
     "hard_cases": ("hard_cases", ["--case", "T1", "--rays", "100", "--by", "cpp"]),
 }
