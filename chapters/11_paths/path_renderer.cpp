@@ -216,7 +216,7 @@ PathRenderer::PathRenderer(const Scene& scene, SceneTextures textures, const Pat
         add("add_sky");
     }
     if (has_emitters_) {
-        add("add_glow", {heuristic});
+        add("meet_glow", {heuristic});
         add("cast_light_rays", {random, bounce, heuristic});
         add("add_reached");
     }
@@ -310,7 +310,7 @@ void PathRenderer::follow(Paths& paths) {
             draw(at_hits("add_sky", paths, hits), paths.added());
         }
         if (has_emitters_) {
-            draw(at_hits("add_glow", paths, hits), paths.added());
+            draw(at_hits("meet_glow", paths, hits), paths.added());
         }
         retire(paths.live, pass("select_misses").set("hits", hits));
         const long going_on = count_live(paths.live, pass("select_all"));
@@ -320,7 +320,7 @@ void PathRenderer::follow(Paths& paths) {
         }
         add_point_lights(paths, hits);
         if (has_emitters_ && choice_.heuristic != "bounce_only") {
-            add_glow_by_rays(paths, hits, bounce);
+            meet_glow_by_rays(paths, hits, bounce);
         }
         leave_surfaces(paths, hits, bounce);
     }
@@ -347,7 +347,7 @@ void PathRenderer::add_point_lights(Paths& paths, const Texture& hits) {
     }
 }
 
-void PathRenderer::add_glow_by_rays(Paths& paths, const Texture& hits, int bounce) {
+void PathRenderer::meet_glow_by_rays(Paths& paths, const Texture& hits, int bounce) {
     clear(paths.next_rays.directions);
     paths.next_rays.coherence = paths.rays.coherence;
     draw(at_hits("cast_light_rays", paths, hits).set("bounce", bounce),

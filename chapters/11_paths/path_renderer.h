@@ -79,7 +79,7 @@ private:
     struct Paths; // of a launch: one per texel
     void follow(Paths& paths);
     void add_point_lights(Paths& paths, const Texture& hits);
-    void add_glow_by_rays(Paths& paths, const Texture& hits, int bounce);
+    void meet_glow_by_rays(Paths& paths, const Texture& hits, int bounce);
     void leave_surfaces(Paths& paths, const Texture& hits, int bounce);
     Program& pass(const std::string& name) { return passes_.at(name); }
     Program& at_hits(const std::string& name, const Paths& paths, const Texture& hits);

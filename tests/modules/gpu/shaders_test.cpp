@@ -95,6 +95,12 @@ TEST_CASE("the compiler of this machine names the line of the part that is wrong
     CHECK_THAT(sentence, contains_text("exhibit/paper_as_printed.glsl:30:"));
 }
 
+TEST_CASE("a pass is found by its name, so no two have the same", "[gpu]") {
+    for (const ProgramRecipe& recipe : list_programs()) {
+        CHECK(find_pass(std::filesystem::path(recipe.pass).stem().string()) == recipe.pass);
+    }
+}
+
 TEST_CASE("every program that can be composed compiles and links", "[gpu]") {
     const auto context = make_context(ContextKind::automatic);
     const std::vector<ProgramRecipe> programs = list_programs();
