@@ -274,7 +274,7 @@ class GpuCards(PlaygroundTest):
 
     def test_what_the_page_measured_is_valid_by_its_schema_and_a_line_of_the_table(self):
         self.begin()
-        self.addCleanup(self.browser.get, "about:blank")  # what is replaced below goes with the page
+        self.addCleanup(self.open)  # what is replaced below goes with the page
         self.choose("scene", "tetrahedron:2")
         self.wait_for("picture")
         self.browser.execute_script(  # of few walks, with few rays: those of packets take seconds to be compiled
