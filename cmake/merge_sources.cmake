@@ -1,7 +1,7 @@
 # merge_sources(TARGET)
-# Compiles each folder of the target's sources as one text (RAYSTEPS_UNITY): their headers are read once, which takes
-# a third of the time. A file with an exercise stays alone, since ./course links a student's version in its place; so does
-# one that asks for it (SKIP_UNITY_BUILD_INCLUSION).
+# Compiles each folder of the target's sources as one text (RAYSTEPS_UNITY), so that headers are read once: what the first
+# `./course check` builds took 277 s of processor time, and takes 208 s. A file with an exercise stays alone, since ./course
+# links a student's version in its place; so does one that asks for it (SKIP_UNITY_BUILD_INCLUSION).
 function(merge_sources target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAYSTEPS_UNITY} UNITY_BUILD_MODE GROUP)
   if(RAYSTEPS_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
